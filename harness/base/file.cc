@@ -1,0 +1,130 @@
+#include "base/file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace etalon {
+namespace {
+
+Error Failure(const std::filesystem::path& path, int code) {
+    return Error{path.string() + ": " + std::strerror(code)};
+}
+
+Status<> WriteWhole(const std::filesystem::path& path, std::string_view content, int flags) {
+    const int file = open(path.c_str(), flags | O_WRONLY | O_CLOEXEC, 0644);
+    if (file < 0) {
+        return Failure(path, errno);
+    }
+    int code = 0;
+    while (!content.empty() && code == 0) {
+        const ssize_t written = write(file, content.data(), content.size());
+        if (written >= 0) {
+            content.remove_prefix(static_cast<std::size_t>(written));
+        } else if (errno != EINTR) {
+            code = errno;
+        }
+    }
+    if (close(file) != 0 && code == 0) {
+        code = errno;
+    }
+    if (code != 0) {
+        return Failure(path, code);
+    }
+    return Ok();
+}
+
+}  // namespace
+
+Result<std::string> ReadFile(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+        return Error{path.string() + ": is a folder, not a file"};
+    }
+    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) {
+        return Failure(path, errno);
+    }
+    std::string content;
+    char block[1 << 16];
+    for (;;) {
+        const ssize_t got = read(file, block, sizeof block);
+        if (got == 0) {
+            break;
+        }
+        if (got < 0 && errno != EINTR) {
+            const int code = errno;
+            close(file);
+            return Failure(path, code);
+        }
+        if (got > 0) {
+            content.append(block, static_cast<std::size_t>(got));
+        }
+    }
+    close(file);
+    return content;
+}
+
+Result<std::string> ReadTextFile(const std::filesystem::path& path) {
+    ETALON_TRY(content, ReadFile(path));
+    if (content.find('\0') != std::string::npos) {
+        return Error{path.string() + ": is not text (it holds a NUL byte)"};
+    }
+    return content;
+}
+
+Status<> WriteFile(const std::filesystem::path& path, std::string_view content) {
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+        if (std::filesystem::is_directory(status)) {
+            return Error{path.string() + ": is a folder, not a file"};
+        }
+        return WriteWhole(path, content, 0);
+    }
+    const std::filesystem::path beside = path.string() + ".part" + std::to_string(getpid());
+    if (auto written = WriteWhole(beside, content, O_CREAT | O_TRUNC); !written) {
+        unlink(beside.c_str());
+        return Error{path.string() + ": cannot be written (" + written.error().message + ")"};
+    }
+    if (rename(beside.c_str(), path.c_str()) != 0) {
+        const int code = errno;
+        unlink(beside.c_str());
+        return Failure(path, code);
+    }
+    return Ok();
+}
+
+bool GlobMatches(std::string_view pattern, std::string_view text) {
+    std::size_t p = 0;
+    std::size_t t = 0;
+    std::size_t star = std::string_view::npos;
+    std::size_t resume = 0;
+    while (t < text.size()) {
+        if (p < pattern.size() && (pattern[p] == '?' || (pattern[p] == text[t] && pattern[p] != '*'))) {
+            ++p;
+            ++t;
+        } else if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            resume = t;
+        } else if (star != std::string_view::npos) {
+            p = star + 1;
+            t = ++resume;
+        } else {
+            return false;
+        }
+    }
+    while (p < pattern.size() && pattern[p] == '*') {
+        ++p;
+    }
+    return p == pattern.size();
+}
+
+std::filesystem::path ProgramPath() {
+    std::error_code ignored;
+    return std::filesystem::read_symlink("/proc/self/exe", ignored);
+}
+
+}  // namespace etalon

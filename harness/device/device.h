@@ -1,0 +1,63 @@
+// Device: one implementation (an API and a driver) that can run probes. A device executes and never judges.
+//
+// Objects of this class live in worker processes only (worker/): a driver may crash, hang or eat memory.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "probe/program.h"
+
+namespace etalon {
+
+// Why a device did not do what it was asked.
+struct DeviceFailure {
+    enum class Kind : std::uint8_t {
+        kUnsupported,  // the device cannot run this: a skip
+        kRejected,     // the device's compiler refused a valid program: a fail, its log is the reason
+        kLost,         // the device is gone: a crash
+    };
+    Kind kind = Kind::kUnsupported;
+    std::string reason;  // one sentence; a compiler's log may follow on further lines
+};
+
+template <typename T>
+using DeviceResult = Result<T, DeviceFailure>;
+
+struct DeviceInfo {
+    std::string name;         // "vulkan:llvmpipe"; the driver's --driver name follows as "@NAME"
+    std::string description;  // as the implementation calls itself
+    std::string driver;       // name of the driver
+    std::string version;      // of the driver
+    std::string api;          // "Vulkan 1.3.230", "OpenGL 4.5 core"
+    std::string compiler;     // "LLVM 15.0.6, 256 bits" where the implementation says, else empty
+    std::vector<std::string> features;  // what a program may use: "compute", "fragment", "spirv", "glsl", "float64", ...
+    std::vector<std::string> float_controls;  // "SignedZeroInfNanPreserve", "RoundingModeRTE", ...
+    std::uint32_t glsl_version = 0;           // for GLSL text: 450, 330; 0 where text is not taken
+    std::uint32_t max_rows = 1u << 20;        // in one Run
+    std::uint32_t siblings = 1;               // devices that this candidate offers in all (see backends.h)
+
+    bool Has(std::string_view feature) const;
+};
+
+class Device {
+  public:
+    virtual ~Device() = default;
+
+    virtual const DeviceInfo& info() const = 0;
+
+    // Compiles and keeps the program; returns its handle. Programs stay until the device ends.
+    virtual DeviceResult<std::uint32_t> Load(const Program& program) = 0;
+
+    // Evaluates `rows` rows (1..max_rows). `inputs` holds input_words * rows words, `outputs` takes
+    // output_words * rows words, both by columns. Returns when the outputs are complete.
+    virtual DeviceResult<Nothing> Run(std::uint32_t handle, std::uint32_t rows,
+                                      std::span<const std::uint32_t> inputs,
+                                      std::span<std::uint32_t> outputs) = 0;
+};
+
+}  // namespace etalon
