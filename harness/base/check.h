@@ -7,9 +7,9 @@ namespace etalon {
 
 }  // namespace etalon
 
-#define ETALON_CHECK(condition)                                        \
-    do {                                                               \
-        if (!(condition)) {                                            \
-            ::etalon::CheckFailed(__FILE__, __LINE__, #condition);     \
-        }                                                              \
+#define ETALON_CHECK(condition)                                    \
+    do {                                                           \
+        if (!(condition)) {                                        \
+            ::etalon::CheckFailed(__FILE__, __LINE__, #condition); \
+        }                                                          \
     } while (false)

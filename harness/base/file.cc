@@ -103,7 +103,8 @@ bool GlobMatches(std::string_view pattern, std::string_view text) {
     std::size_t star = std::string_view::npos;
     std::size_t resume = 0;
     while (t < text.size()) {
-        if (p < pattern.size() && (pattern[p] == '?' || (pattern[p] == text[t] && pattern[p] != '*'))) {
+        if (p < pattern.size() &&
+            (pattern[p] == '?' || (pattern[p] == text[t] && pattern[p] != '*'))) {
             ++p;
             ++t;
         } else if (p < pattern.size() && pattern[p] == '*') {

@@ -1,7 +1,8 @@
 // Result<T>: a value, or the reason why there is none.
 //
-// Three channels are never mixed: a mistake of the user or of the environment travels as a Result; a mistake of
-// the programmer stops the program (check.h); a wrong number from a shader is a verdict (judge).
+// Three channels are never mixed: a mistake of the user or of the environment travels as a Result;
+// a mistake of the programmer stops the program (check.h); a wrong number from a shader is a
+// verdict (judge).
 #pragma once
 
 #include <string>
@@ -54,24 +55,27 @@ struct Nothing {};
 // For a step that yields nothing but may fail: `return Ok();`.
 template <typename E = Error>
 using Status = Result<Nothing, E>;
-inline Nothing Ok() { return {}; }
+inline Nothing Ok() {
+    return {};
+}
 
 }  // namespace etalon
 
-// Evaluates a Result; on failure returns its error from the enclosing function, else names the value.
+// Evaluates a Result; on failure returns its error from the enclosing function, else names the
+// value.
 #define ETALON_CONCAT_(a, b) a##b
 #define ETALON_CONCAT(a, b) ETALON_CONCAT_(a, b)
-#define ETALON_TRY(name, expression)                              \
-    auto ETALON_CONCAT(result_, __LINE__) = (expression);         \
-    if (!ETALON_CONCAT(result_, __LINE__)) {                      \
-        return ETALON_CONCAT(result_, __LINE__).error();          \
-    }                                                             \
+#define ETALON_TRY(name, expression)                      \
+    auto ETALON_CONCAT(result_, __LINE__) = (expression); \
+    if (!ETALON_CONCAT(result_, __LINE__)) {              \
+        return ETALON_CONCAT(result_, __LINE__).error();  \
+    }                                                     \
     auto& name = *ETALON_CONCAT(result_, __LINE__)
 
 // As above for a step without a value.
-#define ETALON_TRY_STEP(expression)                \
-    do {                                           \
-        if (auto step = (expression); !step) {     \
-            return step.error();                   \
-        }                                          \
+#define ETALON_TRY_STEP(expression)            \
+    do {                                       \
+        if (auto step = (expression); !step) { \
+            return step.error();               \
+        }                                      \
     } while (false)

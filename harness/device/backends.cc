@@ -1,17 +1,12 @@
 #include "device/backends.h"
 
-#include <algorithm>
+#include <iterator>
 
-#include "base/check.h"
 #include "device/gl/gl_device.h"
 #include "device/null/null_device.h"
 #include "device/vulkan/vulkan_device.h"
 
 namespace etalon {
-
-bool DeviceInfo::Has(std::string_view feature) const {
-    return std::find(features.begin(), features.end(), feature) != features.end();
-}
 
 // To add a backend: one folder like device/null, one row here.
 const std::vector<Backend>& Backends() {

@@ -11,20 +11,24 @@
 
 namespace etalon {
 
-// `--driver NAME=DIR`: an unpacked or freshly built driver under a prefix. An empty name is the installed one.
+// `--driver NAME=DIR`: an unpacked or freshly built driver under a prefix. An empty name is the
+// installed one.
 struct Driver {
     std::string name;
     std::filesystem::path prefix;
 };
 
-// One implementation to try, found without touching a driver: everything that a fresh worker process needs to know.
-// The worker is started with `environment` added to its own, before any driver library is loaded.
+// One implementation to try, found without touching a driver: everything that a fresh worker
+// process needs to know. The worker is started with `environment` added to its own, before any
+// driver library is loaded.
 struct Candidate {
     std::string backend;  // row of kBackends: "vulkan", "osmesa", "egl", "null"
-    std::string hint;     // the backend's own word: an ICD file, a Gallium driver's name, a fault to play
+    std::string
+        hint;  // the backend's own word: an ICD file, a Gallium driver's name, a fault to play
     std::uint32_t index = 0;  // which of the candidate's devices; see DeviceInfo::siblings
-    std::uint32_t attempt = 0;  // 0 at first, 1 in the fresh worker that repeats a crashed or hung run
-    std::string driver;         // Driver::name
+    std::uint32_t attempt =
+        0;               // 0 at first, 1 in the fresh worker that repeats a crashed or hung run
+    std::string driver;  // Driver::name
     std::map<std::string, std::string> environment;
 };
 

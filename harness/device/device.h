@@ -1,12 +1,15 @@
-// Device: one implementation (an API and a driver) that can run probes. A device executes and never judges.
+// Device: one implementation (an API and a driver) that can run probes. A device executes and never
+// judges.
 //
-// Objects of this class live in worker processes only (worker/): a driver may crash, hang or eat memory.
+// Objects of this class live in worker processes only (worker/): a driver may crash, hang or eat
+// memory.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -18,8 +21,8 @@ namespace etalon {
 struct DeviceFailure {
     enum class Kind : std::uint8_t {
         kUnsupported,  // the device cannot run this: a skip
-        kRejected,     // the device's compiler refused a valid program: a fail, its log is the reason
-        kLost,         // the device is gone: a crash
+        kRejected,  // the device's compiler refused a valid program: a fail, its log is the reason
+        kLost,      // the device is gone: a crash
     };
     Kind kind = Kind::kUnsupported;
     std::string reason;  // one sentence; a compiler's log may follow on further lines
@@ -35,13 +38,16 @@ struct DeviceInfo {
     std::string version;      // of the driver
     std::string api;          // "Vulkan 1.3.230", "OpenGL 4.5 core"
     std::string compiler;     // "LLVM 15.0.6, 256 bits" where the implementation says, else empty
-    std::vector<std::string> features;  // what a program may use: "compute", "fragment", "spirv", "glsl", "float64", ...
+    std::vector<std::string>
+        features;  // what a program may use: "compute", "fragment", "spirv", "glsl", "float64", ...
     std::vector<std::string> float_controls;  // "SignedZeroInfNanPreserve", "RoundingModeRTE", ...
     std::uint32_t glsl_version = 0;           // for GLSL text: 450, 330; 0 where text is not taken
     std::uint32_t max_rows = 1u << 20;        // in one Run
-    std::uint32_t siblings = 1;               // devices that this candidate offers in all (see backends.h)
+    std::uint32_t siblings = 1;  // devices that this candidate offers in all (see backends.h)
 
-    bool Has(std::string_view feature) const;
+    bool Has(std::string_view feature) const {
+        return std::find(features.begin(), features.end(), feature) != features.end();
+    }
 };
 
 class Device {

@@ -1,7 +1,7 @@
 // The oracles: analytic truths by name, in binary64, each with a proven bound on its own error.
 //
-// To add one: a function in its topic's file (fresnel.cc, ...), a row in that file's table, and a test that holds it
-// against MPFR at 200 bits over its whole domain.
+// To add one: a function in its topic's file (fresnel.cc, ...), a row in that file's table, and a
+// test that holds it against MPFR at 200 bits over its whole domain.
 #pragma once
 
 #include <cstddef>
@@ -21,12 +21,13 @@ struct Function {
     std::vector<Parameter> parameters;
     unsigned components;  // of the result
 
-    // Evaluates `rows` rows. inputs[k][row]: component k of the flattened parameters; results[k][row] likewise.
-    // Inputs are exact. Where the quantity has no value (no critical angle) the result is NaN.
+    // Evaluates `rows` rows. inputs[k][row]: component k of the flattened parameters;
+    // results[k][row] likewise. Inputs are exact. Where the quantity has no value (no critical
+    // angle) the result is NaN.
     void (*evaluate)(const double* const* inputs, double* const* results, std::size_t rows);
 
-    // |computed - exact| <= relative_bound * |exact| + absolute_bound for each component, over the domain that the
-    // function's header states.
+    // |computed - exact| <= relative_bound * |exact| + absolute_bound for each component, over the
+    // domain that the function's header states.
     double relative_bound;
     double absolute_bound;
 };

@@ -1,22 +1,24 @@
 // What a device receives: one complete shader that evaluates a call over rows of 32-bit words.
 //
-// Words are stored by columns: word `column` of row `row` stands at [column * rows + row]. A float is its bits,
-// an int its two's complement, a bool 0 or 1.
+// Words are stored by columns: word `column` of row `row` stands at [column * rows + row]. A float
+// is its bits, an int its two's complement, a bool 0 or 1.
 //
 // Interface of the shader, by stage and form:
 //   compute (both forms)  local size kLocalSize; row = global invocation index (x only);
-//                         set 0, binding 0: readonly std430 buffer { uint rows; uint words[]; }  the inputs,
-//                         set 0, binding 1: std430 buffer { uint words[]; }                      the outputs
-//   fragment, SPIR-V      as compute, but row = y * kFragmentWidth + x of the fragment; the vertex stage is the
+//                         set 0, binding 0: readonly std430 buffer { uint rows; uint words[]; } the
+//                         inputs, set 0, binding 1: std430 buffer { uint words[]; } the outputs
+//   fragment, SPIR-V      as compute, but row = y * kFragmentWidth + x of the fragment; the vertex
+//   stage is the
 //                         device's own and covers the viewport with one triangle
 //   fragment, GLSL text   inputs: uniform usampler2D etalon_inputs, texel (row % kFragmentWidth,
-//                         column * uniform int etalon_lines + row / kFragmentWidth), red = the word;
-//                         uniform int etalon_rows = number of rows, etalon_lines = ceil(rows / kFragmentWidth);
-//                         outputs: colour attachments 0..7 of format RGBA32UI hold the words from the uniform
-//                         int etalon_first on: attachment a, channel k = word etalon_first + 4a + k; a program
-//                         of more than kTargetWords outputs is drawn several times
-// Images are bound to set 0, bindings 2, 3, ... in the order of `images` (SPIR-V, and compute text through
-// layout(binding)); fragment text finds them by name.
+//                         column * uniform int etalon_lines + row / kFragmentWidth), red = the
+//                         word; uniform int etalon_rows = number of rows, etalon_lines = ceil(rows
+//                         / kFragmentWidth); outputs: colour attachments 0..7 of format RGBA32UI
+//                         hold the words from the uniform int etalon_first on: attachment a,
+//                         channel k = word etalon_first + 4a + k; a program of more than
+//                         kTargetWords outputs is drawn several times
+// Images are bound to set 0, bindings 2, 3, ... in the order of `images` (SPIR-V, and compute text
+// through layout(binding)); fragment text finds them by name.
 #pragma once
 
 #include <cstdint>

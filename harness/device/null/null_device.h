@@ -1,5 +1,5 @@
-// The null device: no driver at all; returns what it is told. The template for a new backend, and the stand-in that
-// plays a driver's faults in the tests of the isolation.
+// The null device: no driver at all; returns what it is told. The template for a new backend, and
+// the stand-in that plays a driver's faults in the tests of the isolation.
 #pragma once
 
 #include "device/backends.h"

@@ -5,7 +5,8 @@
 
 namespace etalon {
 
-// ICD files of the loader's folders, of VK_DRIVER_FILES, of Chromium's SwiftShader, or of the driver's prefix.
+// ICD files of the loader's folders, of VK_DRIVER_FILES, of Chromium's SwiftShader, or of the
+// driver's prefix.
 std::vector<Candidate> VulkanCandidates(const Driver& driver);
 
 DeviceResult<std::unique_ptr<Device>> OpenVulkanDevice(const Candidate& candidate);

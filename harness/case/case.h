@@ -1,0 +1,74 @@
+// A case: one TOML file that names a call, its inputs, the truth and what is accepted.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "case/domain.h"
+#include "case/expression.h"
+#include "numeric/acceptance.h"
+
+namespace etalon {
+
+// What one output of the call (or one law) must meet.
+struct Expectation {
+    std::string output;  // "result" or the name of an out parameter
+    Expression truth;    // over the inputs
+    Acceptance accept;
+};
+
+enum class Relation : std::uint8_t { kEqual, kLessEqual, kGreaterEqual, kLess, kGreater };
+
+// A property that needs no oracle: `left relation right`, both GLSL expressions over the inputs,
+// both evaluated on the device. `within` is measured at the right side's value.
+struct Law {
+    std::string name;
+    std::string left;
+    std::string right;
+    Relation relation = Relation::kEqual;
+    Acceptance within;
+};
+
+// A failure that is known: where, and why. A case that passes where it is expected to fail is a
+// failure too.
+struct ExpectedFailure {
+    std::string device;  // pattern with * and ?
+    std::string recipe;  // pattern
+    std::string law;     // pattern of the law's name; empty: the outputs
+    std::string status;  // "bug", "method" or "unimplemented"
+    std::string cause;
+    std::string link;
+};
+
+struct Case {
+    std::string path;  // "optics/fresnel/reflectance"
+    std::filesystem::path file;
+    std::filesystem::path
+        root;  // the folder that `source` and `with` are relative to (it holds cases/)
+    std::string description;
+    std::string source;
+    std::string call;
+    std::string family;
+    std::map<std::string, std::string> define;
+    std::vector<std::string> include;
+    std::vector<std::string> with;           // sources, or NAME=IMAGE
+    std::map<std::string, std::string> out;  // name -> GLSL type
+    std::vector<std::string> recipes;        // empty: the default set
+    std::vector<Expectation> expectations;
+    std::vector<Law> laws;
+    std::vector<ExpectedFailure> expected_failures;
+    std::vector<Domain> domains;
+    std::uint64_t seed = 1;
+};
+
+// Reads one case. `path` is its address below cases/, without ".toml". Errors name file and line.
+Result<Case> ReadCase(const std::filesystem::path& root, const std::string& path);
+
+// The addresses of all cases under root/cases, sorted. Fails where the folder is missing.
+Result<std::vector<std::string>> ListCases(const std::filesystem::path& root);
+
+}  // namespace etalon
