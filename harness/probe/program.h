@@ -51,7 +51,9 @@ struct BoundImage {
 struct Program {
     Stage stage = Stage::kCompute;
     Form form = Form::kSpirv;
-    std::string glsl;                  // the whole shader, for Form::kGlsl
+    std::string glsl;  // the whole shader, for Form::kGlsl
+    std::vector<std::string>
+        line_names;  // files by the source-string number of its #line; not for devices
     std::vector<std::uint32_t> spirv;  // the module, for Form::kSpirv; entry point "main"
     std::uint32_t input_words = 0;     // columns; 0 where the inputs are baked in
     std::uint32_t output_words = 0;

@@ -3,9 +3,10 @@
 // costs nobody else anything.
 //
 // Lifecycle: Start (any number, returns at once) -> Open -> Load/Run... A crashed or hung worker is
-// gone; Restart starts a fresh one, in which programs must be loaded again. The destructor ends the
-// worker. Not thread-safe; a client must be started from a thread that lives as long as the worker
-// (the kernel ends a worker with the thread that started it).
+// gone, and so is one that could not open its device; Restart starts a fresh one, in which programs
+// must be loaded again. The destructor ends the worker. Not thread-safe; a client must be started
+// from a thread that lives as long as the worker (the kernel ends a worker with the thread that
+// started it).
 #pragma once
 
 #include <chrono>
@@ -51,22 +52,23 @@ class Client {
 
     const Candidate& candidate() const;
 
-    // Starts the process; the environment of the candidate is added to this one's. Idempotent while
-    // it lives.
+    // Starts the process, which opens its device at once; the environment of the candidate is added
+    // to this one's. Idempotent while it lives.
     Status<> Start();
 
-    // Waits until the worker has opened its device.
+    // Waits until the worker has opened its device. Idempotent. After a failure the worker is gone.
     WorkerResult<DeviceInfo> Open();
 
     WorkerResult<std::uint32_t> Load(const Program& program);
 
     // The inputs of the next Run, to be filled by the caller in place, by columns: shared with the
-    // worker, no copy. Valid until the next call of Inputs or Restart.
+    // worker, no copy. Valid until the next call of Inputs or Restart. At least one row, and not
+    // before Start; throws std::bad_alloc where this process cannot map that much.
     std::span<std::uint32_t> Inputs(std::uint32_t rows, std::uint32_t input_words,
                                     std::uint32_t output_words);
 
-    // Runs on the inputs filled last. The outputs are valid until the next call of Inputs or
-    // Restart.
+    // Runs on the inputs filled last, at most DeviceInfo::max_rows rows and as many words as the
+    // program was loaded with. The outputs are valid until the next call of Inputs or Restart.
     WorkerResult<std::span<const std::uint32_t>> Run(std::uint32_t handle);
 
     // Ends the worker, if it lives, and starts a fresh one with Candidate::attempt = attempt. Then

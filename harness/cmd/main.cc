@@ -1,0 +1,300 @@
+// The program `etalon`: words of the command line, nothing else.
+
+#include <CLI/CLI.hpp>
+#include <clocale>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <string_view>
+
+#include "base/file.h"
+#include "base/format.h"
+#include "report/json.h"
+#include "report/text.h"
+#include "run/conformance.h"
+#include "run/probe.h"
+#include "worker/serve.h"
+
+namespace etalon {
+namespace {
+
+constexpr int kVerdict = 1;   // a number, a driver or a law is wrong
+constexpr int kBadInput = 2;  // the user or the environment is
+
+int Complain(const std::string& message) {
+    std::cerr << "etalon: " << message << "\n";
+    return kBadInput;
+}
+
+// The exit status, unless what was printed could not be written.
+int Finish(int status) {
+    std::cout.flush();
+    if (!std::cout || std::fflush(stdout) != 0) {
+        return Complain("standard output: cannot be written");
+    }
+    return status;
+}
+
+// Options that several subcommands share.
+struct DeviceOptions {
+    std::vector<std::string> patterns;
+    std::vector<std::string> drivers;
+    double timeout = 10;
+    std::uint64_t memory = 4096;
+
+    void AddTo(CLI::App& app) {
+        app.add_option("-d,--device", patterns,
+                       "device by name or pattern (vulkan:*); repeatable; default: all")
+            ->type_name("NAME")
+            ->allow_extra_args(false);
+        AddDriverTo(app);
+    }
+    void AddDriverTo(CLI::App& app) {
+        app.add_option("--driver", drivers,
+                       "add the implementations under DIR, as devices @NAME; repeatable")
+            ->type_name("NAME=DIR")
+            ->allow_extra_args(false);
+        app.add_option("--timeout", timeout, "seconds that a device may take for one step")
+            ->capture_default_str()
+            ->check(CLI::PositiveNumber)
+            ->type_name("SECONDS");
+        app.add_option("--memory", memory, "MiB that a device's process may occupy")
+            ->capture_default_str()
+            ->check(CLI::PositiveNumber)
+            ->type_name("MIB");
+    }
+    Result<DeviceChoice> Choice() const {
+        DeviceChoice choice;
+        choice.patterns = patterns;
+        constexpr double kLongest = 1e6;
+        choice.limits.timeout = std::chrono::milliseconds(
+            static_cast<std::int64_t>(std::min(timeout, kLongest) * 1000));
+        choice.limits.memory_bytes = memory << 20;
+        for (const std::string& driver : drivers) {
+            const std::size_t equals = driver.find('=');
+            if (equals == std::string::npos || equals == 0 ||
+                driver.find_first_of("@*?:,") < equals) {
+                return Error{"--driver '" + driver + "': it reads NAME=DIR"};
+            }
+            choice.drivers.push_back({driver.substr(0, equals), driver.substr(equals + 1)});
+        }
+        return choice;
+    }
+};
+
+int ListDevices(const DeviceOptions& options, bool json, bool all) {
+    Result<DeviceChoice> choice = options.Choice();
+    if (!choice) {
+        return Complain(choice.error().message);
+    }
+    Result<DeviceSet> devices = OpenDevices(*choice);
+    if (!devices) {
+        return Complain(devices.error().message);
+    }
+    RunRecord record;
+    for (const auto& session : devices->sessions) {
+        record.devices.push_back(session->info());
+    }
+    record.absent = devices->absent;
+    std::cout << (json ? DevicesJson(record) : DevicesText(record, all));
+    return 0;
+}
+
+Result<std::filesystem::path> RootOf(const std::string& given) {
+    if (given.empty()) {
+        return FindRoot(".");
+    }
+    if (!std::filesystem::is_directory(std::filesystem::path(given) / "cases")) {
+        return Error{"--root '" + given + "': holds no folder 'cases'"};
+    }
+    return std::filesystem::path(given);
+}
+
+int List(const std::string& root, const std::vector<std::string>& patterns) {
+    Result<std::filesystem::path> folder = RootOf(root);
+    if (!folder) {
+        return Complain(folder.error().message);
+    }
+    Result<std::vector<std::string>> paths = ChooseCases(*folder, patterns);
+    if (!paths) {
+        return Complain(paths.error().message);
+    }
+    for (const std::string& path : *paths) {
+        std::cout << path << "\n";
+    }
+    return 0;
+}
+
+int Run(RunChoice choice, const std::string& root, const DeviceOptions& options,
+        const std::string& json) {
+    Result<std::filesystem::path> folder = RootOf(root);
+    if (!folder) {
+        return Complain(folder.error().message);
+    }
+    choice.root = *folder;
+    Result<DeviceChoice> devices = options.Choice();
+    if (!devices) {
+        return Complain(devices.error().message);
+    }
+    choice.devices = *devices;
+    Result<RunOutcome> outcome = RunConformance(choice);
+    if (!outcome) {
+        return Complain(outcome.error().message);
+    }
+    if (outcome->listed_only) {
+        return 0;
+    }
+    int passed = 0;
+    int failed = 0;
+    int skipped = 0;
+    for (const Record& record : outcome->record.records) {
+        ++(!record.Good() ? failed : record.verdict == Verdict::kSkip ? skipped : passed);
+    }
+    std::cout << "\n"
+              << SummaryText(outcome->record)
+              << format("{} passed, {} failed, {} skipped in {:.1f} s\n", passed, failed, skipped,
+                        outcome->record.seconds);
+    if (!json.empty()) {
+        if (auto written = WriteFile(json, RunJson(outcome->record)); !written) {
+            return Complain("--json: " + written.error().message);
+        }
+    }
+    return outcome->good ? 0 : kVerdict;
+}
+
+// GoogleTest's flags go through untouched; CLI11 never sees them.
+std::vector<std::string> TakeGoogleTestFlags(std::vector<std::string>& arguments) {
+    std::vector<std::string> taken;
+    std::erase_if(arguments, [&](const std::string& argument) {
+        const bool is_flag = argument.starts_with("--gtest_");
+        if (is_flag) {
+            taken.push_back(argument);
+        }
+        return is_flag;
+    });
+    return taken;
+}
+
+int Main(std::vector<std::string> arguments) {
+    CLI::App app{
+        "Calls GLSL functions on every graphics implementation of this machine and holds "
+        "the numbers against physics."};
+    app.name("etalon");
+    app.require_subcommand(1);
+    app.set_version_flag("--version", ETALON_VERSION);
+
+    DeviceOptions devices;
+    CLI::App* list_devices =
+        app.add_subcommand("devices", "What can run here: versions, features, fingerprint");
+    bool devices_json = false;
+    bool devices_all = false;
+    devices.AddTo(*list_devices);
+    list_devices->add_flag("--json", devices_json, "as JSON");
+    list_devices->add_flag("--all", devices_all, "also tell what was tried and is not here");
+
+    CLI::App* list = app.add_subcommand("list", "Cases, by path");
+    std::string root;
+    std::vector<std::string> patterns;
+    list->add_option("PATTERN", patterns, "prefix of case paths, or a pattern with * and ?");
+    list->add_option("--root", root, "folder that holds cases/; default: here or above")
+        ->type_name("DIR");
+
+    CLI::App* run = app.add_subcommand(
+        "run", "Run cases; GoogleTest's flags (--gtest_filter, --gtest_output, ...) pass through");
+    RunChoice run_choice;
+    std::string json;
+    run->add_option("PATTERN", run_choice.patterns,
+                    "prefix of case paths, or a pattern with * and ?; default: all");
+    run->add_option("--root", root, "folder that holds cases/; default: here or above")
+        ->type_name("DIR");
+    run->add_option("--recipe", run_choice.recipes,
+                    "recipe (spirv, spirv+O, glsl+baked, ...); repeatable; default: the case's or "
+                    "the device's own set")
+        ->allow_extra_args(false);
+    run->add_option("--at", run_choice.at, "run one case at one input: 'n1=1,n2=0x1.8p+0'");
+    run->add_option("--json", json, "write all records to FILE")->type_name("FILE");
+    run->add_flag("--verbose", run_choice.verbose, "a line for each test");
+    devices.AddTo(*run);
+
+    CLI::App* probe = app.add_subcommand("probe", "Call a function now");
+    ProbeChoice probe_choice;
+    probe->add_option("SOURCE", probe_choice.source, "GLSL source file")->required();
+    probe->add_option("CALL", probe_choice.call, "GLSL expression over the inputs: 'f(v, n, 1.5)'")
+        ->required();
+    CLI::Option* inputs =
+        probe
+            ->add_option("--inputs", probe_choice.inputs,
+                         "CSV; its header reads name:type, vectors v.x:float,v.y:float")
+            ->type_name("F.csv");
+    probe
+        ->add_option("--at", probe_choice.at,
+                     "one row of inputs instead: 'n1=1,steps:int=3,v.x=0,v.y=1'")
+        ->excludes(inputs);
+    probe
+        ->add_option("--in", probe_choice.in,
+                     "type of an input that is no scalar or vector: m:mat3, hit:Hit")
+        ->type_name("NAME:TYPE")
+        ->allow_extra_args(false);
+    probe
+        ->add_option("--out", probe_choice.out,
+                     "declares an out parameter (inout, if it is an input too)")
+        ->type_name("NAME:TYPE")
+        ->allow_extra_args(false);
+    probe->add_option("-D", probe_choice.defines, "defines a macro")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    probe->add_option("--include", probe_choice.include, "adds a folder for #include")
+        ->type_name("DIR")
+        ->allow_extra_args(false);
+    probe
+        ->add_option("--with", probe_choice.with,
+                     "adds a source that defines scene functions, or an image for a sampler2D: "
+                     "height=map.png")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    probe
+        ->add_option("--recipe", probe_choice.recipes,
+                     "recipe (spirv, spirv+O, glsl+baked, ...); repeatable")
+        ->allow_extra_args(false);
+    probe->add_flag("--csv", probe_choice.csv, "CSV instead of a table");
+    devices.AddTo(*probe);
+
+    run_choice.gtest_arguments = TakeGoogleTestFlags(arguments);
+    try {
+        std::reverse(arguments.begin(), arguments.end());
+        app.parse(std::move(arguments));
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) {
+            app.exit(error);
+            return 0;
+        }
+        return Complain(std::string(error.what()) + "; --help tells more");
+    }
+    if (*list_devices) {
+        return ListDevices(devices, devices_json, devices_all);
+    }
+    if (*list) {
+        return List(root, patterns);
+    }
+    if (*run) {
+        return Run(run_choice, root, devices, json);
+    }
+    Result<DeviceChoice> choice = devices.Choice();
+    if (!choice) {
+        return Complain(choice.error().message);
+    }
+    probe_choice.devices = *choice;
+    Result<int> status = RunProbe(probe_choice, std::cout, std::cerr);
+    return status ? *status : Complain(status.error().message);
+}
+
+}  // namespace
+}  // namespace etalon
+
+int main(int argc, char** argv) {
+    if (argc > 1 && std::string_view(argv[1]) == "worker") {
+        return etalon::ServeWorker(argc, argv);
+    }
+    std::ios::sync_with_stdio(false);
+    return etalon::Finish(etalon::Main(std::vector<std::string>(argv + 1, argv + argc)));
+}

@@ -1,0 +1,364 @@
+#include "compile/compile.h"
+
+#include <glslang/Include/intermediate.h>
+#include <glslang/MachineIndependent/localintermediate.h>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+
+#include "compile/includer.h"
+#include "compile/spirv.h"
+#include "compile/text.h"
+
+namespace etalon {
+namespace {
+
+constexpr std::uint32_t kVersion = 450;
+
+EShLanguage StageOf(Stage stage) {
+    return stage == Stage::kCompute ? EShLangCompute : EShLangFragment;
+}
+
+// A shader in glslang's hands: the pieces, whose text it points into, and what it includes.
+class FrontEnd {
+  public:
+    FrontEnd(const Call& call, Stage stage, const std::vector<Piece>& pieces)
+        : includer_(call), shader_(StageOf(stage)), text_(Assemble(pieces)) {
+        static std::once_flag once;
+        std::call_once(once, [] { glslang::InitializeProcess(); });
+        shader_.setStringsWithLengthsAndNames(&data_, &length_, &name_, 1);
+    }
+
+    void AimAt(Target::Client client) {
+        // The binding of the first image follows those of the buffers; see probe/program.h.
+        shader_.setShiftBinding(glslang::EResTexture, kFirstImageBinding);
+        shader_.setShiftBinding(glslang::EResSampler, kFirstImageBinding);
+        shader_.setAutoMapBindings(true);
+        shader_.setAutoMapLocations(true);
+        if (client == Target::Client::kVulkan) {
+            shader_.setEnvInput(glslang::EShSourceGlsl, shader_.getStage(),
+                                glslang::EShClientVulkan, 100);
+            shader_.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
+            shader_.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
+            shader_.setEnvInputVulkanRulesRelaxed();
+        } else {
+            shader_.setEnvInput(glslang::EShSourceGlsl, shader_.getStage(),
+                                glslang::EShClientOpenGL, 100);
+            shader_.setEnvClient(glslang::EShClientOpenGL, glslang::EShTargetOpenGL_450);
+            shader_.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
+        }
+    }
+
+    static EShMessages Rules(std::optional<Target::Client> client) {
+        int rules = EShMsgDefault;
+        if (client) {
+            rules |= EShMsgSpvRules;
+            rules |= *client == Target::Client::kVulkan ? EShMsgVulkanRules : EShMsgDefault;
+        }
+        return static_cast<EShMessages>(rules);
+    }
+
+    Status<> Parse(std::uint32_t version, std::optional<Target::Client> client) {
+        if (!shader_.parse(GetDefaultResources(), static_cast<int>(version), ECoreProfile, true,
+                           false, Rules(client), includer_)) {
+            return Error{FirstError(shader_.getInfoLog())};
+        }
+        return Ok();
+    }
+
+    Result<std::string> Preprocess(std::uint32_t version) {
+        std::string text;
+        if (!shader_.preprocess(GetDefaultResources(), static_cast<int>(version), ECoreProfile,
+                                true, false, Rules({}), &text, includer_)) {
+            return Error{FirstError(shader_.getInfoLog())};
+        }
+        return text;
+    }
+
+    glslang::TShader& shader() { return shader_; }
+    Dialect dialect() const { return includer_.dialect(); }
+
+  private:
+    // glslang forgets the names of further strings after an #include in the first, hence one string
+    // and #line.
+    static std::string Assemble(const std::vector<Piece>& pieces) {
+        std::string text = "#extension GL_GOOGLE_cpp_style_line_directive : enable\n";
+        for (const Piece& piece : pieces) {
+            text += "\n#line 1 \"" + piece.name + "\"\n" + piece.text;
+        }
+        return text;
+    }
+
+    Includer includer_;
+    glslang::TShader shader_;
+    const std::string text_;
+    // glslang keeps the addresses of these three.
+    const char* const data_ = text_.data();
+    const int length_ = static_cast<int>(text_.size());
+    const char* const name_ = kGenerated;
+};
+
+// How the sources are written, from the files themselves: the generated text depends on it.
+Result<Dialect> ReadDialect(const Call& call) {
+    Includer includer(call);
+    for (std::size_t i = 0; i <= call.with.size(); ++i) {
+        const std::string header = kSourceMark + std::to_string(i);
+        auto* result = includer.includeLocal(header.c_str(), kGenerated, 1);
+        const bool found = !result->headerName.empty();
+        const std::string reason(result->headerData, result->headerLength);
+        includer.releaseInclude(result);
+        if (!found) {
+            return Error{reason};
+        }
+    }
+    return includer.dialect();
+}
+
+Result<Type> FromGlslang(const glslang::TType& type) {
+    if (type.isArray()) {
+        if (!type.getArraySizes()->isSized()) {
+            return Error{"has an array without a length"};
+        }
+        glslang::TType element(type, 0);
+        ETALON_TRY(inner, FromGlslang(element));
+        Type array;
+        array.kind = Type::Kind::kArray;
+        array.length = static_cast<std::uint32_t>(type.getOuterArraySize());
+        array.element.push_back(std::move(inner));
+        return array;
+    }
+    Type result;
+    if (type.isStruct()) {
+        result.kind = Type::Kind::kStruct;
+        result.name = type.getTypeName().c_str();
+        for (const glslang::TTypeLoc& member : *type.getStruct()) {
+            ETALON_TRY(inner, FromGlslang(*member.type));
+            result.members.push_back({member.type->getFieldName().c_str(), {std::move(inner)}});
+        }
+        return result;
+    }
+    switch (type.getBasicType()) {
+        case glslang::EbtVoid:
+            return result;
+        case glslang::EbtFloat:
+            result.scalar = Scalar::kFloat;
+            break;
+        case glslang::EbtInt:
+            result.scalar = Scalar::kInt;
+            break;
+        case glslang::EbtUint:
+            result.scalar = Scalar::kUint;
+            break;
+        case glslang::EbtBool:
+            result.scalar = Scalar::kBool;
+            break;
+        default:
+            return Error{"is of type " + std::string(type.getBasicTypeString().c_str()) +
+                         ", which a probe cannot carry: it takes float, int, uint, bool, vectors, "
+                         "matrices, arrays and structures of these"};
+    }
+    if (type.isMatrix()) {
+        result.kind = Type::Kind::kMatrix;
+        result.columns = static_cast<std::uint32_t>(type.getMatrixCols());
+        result.rows = static_cast<std::uint32_t>(type.getMatrixRows());
+    } else if (type.isVector()) {
+        result.kind = Type::Kind::kVector;
+        result.rows = static_cast<std::uint32_t>(type.getVectorSize());
+    } else {
+        result.kind = Type::Kind::kScalar;
+    }
+    return result;
+}
+
+// The statements of etalon_inspect, in order.
+const glslang::TIntermSequence* InspectedStatements(TIntermNode* root) {
+    for (TIntermNode* node : root->getAsAggregate()->getSequence()) {
+        glslang::TIntermAggregate* function = node->getAsAggregate();
+        if (function != nullptr && function->getOp() == glslang::EOpFunction &&
+            function->getName().rfind("etalon_inspect(", 0) == 0) {
+            return &function->getSequence().at(1)->getAsAggregate()->getSequence();
+        }
+    }
+    return nullptr;
+}
+
+Result<Signature> InspectIn(const Call& call, Stage stage, Dialect dialect) {
+    FrontEnd front(call, stage, InspectionShader(call, dialect));
+    front.AimAt(Target::Client::kVulkan);
+    const std::uint32_t version =
+        dialect.es ? kVersion : std::max(kVersion, std::min(dialect.version, 460u));
+    ETALON_TRY_STEP(front.Parse(version, Target::Client::kVulkan));
+    Signature signature;
+    signature.version = version;
+    signature.stage = stage;
+    const auto* statements = InspectedStatements(front.shader().getIntermediate()->getTreeRoot());
+    const std::size_t expected = call.arguments.size() + call.wanted.size();
+    if (statements == nullptr || statements->size() != expected) {
+        return Error{call.wanted.front().origin + ": is not one expression"};
+    }
+    for (std::size_t i = 0; i < expected; ++i) {
+        const bool is_argument = i < call.arguments.size();
+        const std::string what =
+            is_argument ? "'" + call.arguments[i].name + "'"
+                        : call.wanted[i - call.arguments.size()].origin + ": the result";
+        const glslang::TIntermTyped* typed = (*statements)[i]->getAsTyped();
+        if (typed == nullptr) {
+            return Error{what + " is not an expression"};
+        }
+        Result<Type> type = FromGlslang(typed->getType());
+        if (!type) {
+            return Error{what + " " + type.error().message};
+        }
+        (is_argument ? signature.arguments : signature.wanted).push_back(std::move(*type));
+    }
+    if (signature.OutputWords(call) == 0) {
+        return Error{call.wanted.front().origin +
+                     ": the call has no result and no out parameter, so there is nothing to see; "
+                     "--out NAME:TYPE declares one"};
+    }
+    return signature;
+}
+
+// Images in the order of the bindings that the linked program gives them. A sampler without an
+// image, and any other uniform, has no value.
+Result<std::vector<BoundImage>> BindImages(glslang::TProgram& program, const Call& call) {
+    const auto image_of = [&](const std::string& name) {
+        return std::find_if(call.images.begin(), call.images.end(),
+                            [&](const BoundImage& image) { return image.name == name; });
+    };
+    std::vector<BoundImage> bound;
+    for (int i = 0; i < program.getNumUniformVariables(); ++i) {
+        const glslang::TObjectReflection& uniform = program.getUniform(i);
+        if (uniform.name.rfind("etalon_", 0) == 0) {
+            continue;
+        }
+        const auto image = image_of(uniform.name);
+        const bool is_sampler = uniform.getType() != nullptr &&
+                                uniform.getType()->getBasicType() == glslang::EbtSampler;
+        if (!is_sampler) {
+            return Error{
+                call.source.string() + ": uniform '" + uniform.name +
+                "' has no value in a probe; make it a parameter, or define it with --with"};
+        }
+        if (image == call.images.end()) {
+            return Error{call.source.string() + ": sampler '" + uniform.name +
+                         "' has no image; --with " + uniform.name + "=IMAGE gives one"};
+        }
+        const int binding = uniform.getBinding() - static_cast<int>(kFirstImageBinding);
+        if (binding < 0 || binding > 15) {
+            return Error{call.source.string() + ": sampler '" + uniform.name +
+                         "' has a binding outside 0..15"};
+        }
+        if (bound.size() <= static_cast<std::size_t>(binding)) {
+            bound.resize(static_cast<std::size_t>(binding) + 1);
+        }
+        bound[static_cast<std::size_t>(binding)] = *image;
+    }
+    for (BoundImage& image : bound) {
+        if (image.image == nullptr) {
+            // A gap between explicit bindings: a device expects images without gaps.
+            image.image = std::make_shared<Image>(Image{1, 1, {0, 0, 0, 0}});
+        }
+    }
+    return bound;
+}
+
+Result<std::vector<BoundImage>> Link(FrontEnd& front, glslang::TProgram& program, const Call& call,
+                                     std::optional<Target::Client> client) {
+    program.addShader(&front.shader());
+    if (!program.link(FrontEnd::Rules(client))) {
+        return Error{LinkError(program.getInfoLog(), call.source.string())};
+    }
+    if (client && !program.mapIO()) {
+        return Error{FirstError(program.getInfoLog())};
+    }
+    program.buildReflection(EShReflectionSeparateBuffers | EShReflectionAllBlockVariables);
+    return BindImages(program, call);
+}
+
+}  // namespace
+
+Result<Signature> Inspect(const Call& call) {
+    ETALON_TRY(dialect, ReadDialect(call));
+    Result<Signature> signature = InspectIn(call, Stage::kCompute, dialect);
+    if (!signature) {
+        // Derivatives and the like exist in fragments only. The error to show is the first one.
+        if (Result<Signature> other = InspectIn(call, Stage::kFragment, dialect)) {
+            return other;
+        }
+    }
+    return signature;
+}
+
+Result<Program, CompileFailure> Compile(const Call& call, const Signature& signature,
+                                        const Recipe& recipe, Target target,
+                                        std::span<const std::vector<std::uint32_t>> baked) {
+    using Kind = CompileFailure::Kind;
+    Result<Dialect> dialect = ReadDialect(call);
+    if (!dialect) {
+        return CompileFailure{Kind::kInput, dialect.error().message};
+    }
+    Program program;
+    program.stage = recipe.stage;
+    program.form = recipe.form;
+    program.input_words = recipe.baked ? 0 : signature.InputWords(call);
+    program.output_words = signature.OutputWords(call);
+    const std::vector<Piece> pieces = ProbeShader(call, signature, recipe, *dialect, baked);
+
+    const bool is_text = recipe.form == Form::kGlsl;
+    std::optional<Target::Client> client;
+    std::uint32_t version = signature.version;
+    if (!is_text) {
+        client = target.client;
+    } else {
+        version = std::min(signature.version, target.glsl_version);
+    }
+    FrontEnd front(call, recipe.stage, pieces);
+    if (client) {
+        front.AimAt(*client);
+    }
+    if (auto parsed = front.Parse(version, client); !parsed) {
+        // The sources compiled when their types were found; what fails now fails for this target.
+        return CompileFailure{Kind::kUnsupported, parsed.error().message + " (in GLSL " +
+                                                      std::to_string(version) + ")"};
+    }
+    glslang::TProgram linked;
+    Result<std::vector<BoundImage>> images = Link(front, linked, call, client);
+    if (!images) {
+        return CompileFailure{Kind::kInput, images.error().message};
+    }
+    program.images = std::move(*images);
+
+    if (is_text) {
+        FrontEnd reader(call, recipe.stage, pieces);
+        Result<std::string> text = reader.Preprocess(version);
+        if (!text) {
+            return CompileFailure{Kind::kUnsupported, text.error().message};
+        }
+        program.glsl = DriverText(*text, version, program.line_names);
+        return program;
+    }
+    glslang::SpvOptions options;
+    options.disableOptimizer = true;
+    glslang::GlslangToSpv(*linked.getIntermediate(StageOf(recipe.stage)), program.spirv, &options);
+    if (recipe.precise) {
+        program.spirv = ForbidContraction(program.spirv);
+    }
+    if (recipe.optimise != Recipe::Optimise::kNone) {
+        auto better = OptimiseSpirv(program.spirv, recipe.optimise, target);
+        if (!better) {
+            return CompileFailure{Kind::kUnsupported, better.error().message};
+        }
+        program.spirv = std::move(*better);
+    }
+    if (auto valid = ValidateSpirv(program.spirv, target); !valid) {
+        return CompileFailure{Kind::kUnsupported, valid.error().message};
+    }
+    return program;
+}
+
+}  // namespace etalon

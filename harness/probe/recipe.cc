@@ -1,0 +1,55 @@
+#include "probe/recipe.h"
+
+namespace etalon {
+
+std::string RecipeText(const Recipe& recipe) {
+    std::string text = recipe.form == Form::kSpirv ? "spirv" : "glsl";
+    if (recipe.optimise != Recipe::Optimise::kNone) {
+        text += recipe.optimise == Recipe::Optimise::kSpeed ? "+O" : "+Os";
+    }
+    if (recipe.precise) {
+        text += "+precise";
+    }
+    if (recipe.baked) {
+        text += "+baked";
+    }
+    if (recipe.stage == Stage::kFragment) {
+        text += "+fragment";
+    }
+    return text;
+}
+
+Result<Recipe> ParseRecipe(std::string_view text) {
+    const std::string whole(text);
+    Recipe recipe;
+    bool first = true;
+    while (first || !text.empty()) {
+        const std::size_t plus = text.find('+');
+        const std::string_view word = text.substr(0, plus);
+        text = plus == std::string_view::npos ? std::string_view() : text.substr(plus + 1);
+        if (first && word == "spirv") {
+            recipe.form = Form::kSpirv;
+        } else if (first && word == "glsl") {
+            recipe.form = Form::kGlsl;
+        } else if (!first && word == "O" && recipe.form == Form::kSpirv) {
+            recipe.optimise = Recipe::Optimise::kSpeed;
+        } else if (!first && word == "Os" && recipe.form == Form::kSpirv) {
+            recipe.optimise = Recipe::Optimise::kSize;
+        } else if (!first && word == "precise") {
+            recipe.precise = true;
+        } else if (!first && word == "baked") {
+            recipe.baked = true;
+        } else if (!first && word == "fragment") {
+            recipe.stage = Stage::kFragment;
+        } else {
+            return Error{
+                "unknown recipe '" + whole +
+                "': it is spirv or glsl, then any of +O, +Os (spirv only), +precise, +baked, "
+                "+fragment"};
+        }
+        first = false;
+    }
+    return recipe;
+}
+
+}  // namespace etalon

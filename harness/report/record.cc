@@ -1,0 +1,53 @@
+#include "report/record.h"
+
+#include <fstream>
+
+#include "base/format.h"
+
+namespace etalon {
+
+std::string_view VerdictName(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::kPass:
+            return "pass";
+        case Verdict::kFail:
+            return "fail";
+        case Verdict::kSkip:
+            return "skip";
+        case Verdict::kCrash:
+            return "crash";
+        case Verdict::kTimeout:
+            return "timeout";
+    }
+    return "";
+}
+
+std::string ProcessorName() {
+    std::ifstream info("/proc/cpuinfo");
+    std::string line;
+    while (std::getline(info, line)) {
+        if (line.starts_with("model name")) {
+            const std::size_t colon = line.find(": ");
+            return colon == std::string::npos ? line : line.substr(colon + 2);
+        }
+    }
+    return "unknown processor";
+}
+
+std::string Fingerprint(const DeviceInfo& device) {
+    std::string all = device.description + "|" + device.driver + "|" + device.version + "|" +
+                      device.api + "|" + device.compiler + "|" + ProcessorName();
+    for (const auto* list : {&device.features, &device.float_controls}) {
+        for (const std::string& word : *list) {
+            all += "|" + word;
+        }
+    }
+    // FNV-1a: short, and the same on every machine.
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const char c : all) {
+        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    }
+    return format("{:012x}", hash >> 16);
+}
+
+}  // namespace etalon

@@ -1,0 +1,76 @@
+// Record: what a run found, as plain data. Reporters see nothing else.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "device/device.h"
+
+namespace etalon {
+
+enum class Verdict : std::uint8_t { kPass, kFail, kSkip, kCrash, kTimeout };
+std::string_view VerdictName(Verdict verdict);
+
+// One number as people and programs read it.
+struct Value {
+    std::string decimal;
+    std::string hex;  // hexadecimal float; for other types the decimal again
+};
+
+// One judged value: where it stood, what came, what was due, how far apart.
+struct Observation {
+    std::string output;  // "result.x", or a law's text
+    std::string rule;    // "ulp 16 or absolute 1e-09"
+    std::vector<std::pair<std::string, Value>> inputs;
+    Value actual;
+    Value expected;
+    double error = 0;
+    double ulp_error = 0;
+    double used = 0;  // share of the tolerance that the error used; its complement is the margin
+};
+
+struct Record {
+    std::string case_path;
+    std::string device;
+    std::string recipe;
+    std::string family;
+    Verdict verdict = Verdict::kPass;
+    std::string reason;  // of a skip, crash, timeout, or a rejected program
+    std::uint64_t seed = 0;
+    std::uint64_t rows = 0;
+    std::uint64_t judged = 0;  // values
+    std::uint64_t refused = 0;
+    std::vector<std::string> failed;   // outputs and laws with refused values
+    std::optional<Observation> worst;  // by share of the tolerance; absent where nothing was judged
+    std::string repeat;                // the command that repeats exactly the worst input
+    std::string known_cause;           // of an expected failure that happened
+    std::string flake;                 // what went wrong once and not again
+    double seconds = 0;
+
+    bool Good() const {
+        return verdict == Verdict::kPass || verdict == Verdict::kSkip || !known_cause.empty();
+    }
+};
+
+struct DeviceNote {
+    std::string name;    // of the candidate
+    std::string reason;  // why it is no device here
+};
+
+struct RunRecord {
+    std::string version;
+    std::vector<DeviceInfo> devices;
+    std::vector<DeviceNote> absent;
+    std::vector<Record> records;
+    double seconds = 0;
+};
+
+// What a baseline depends on, in short: a hash over everything that the device tells of itself and
+// the processor.
+std::string Fingerprint(const DeviceInfo& device);
+std::string ProcessorName();
+
+}  // namespace etalon

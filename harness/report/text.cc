@@ -1,0 +1,158 @@
+#include "report/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/format.h"
+
+namespace etalon {
+namespace {
+
+std::string InputText(const Observation& observation, bool hexadecimal) {
+    std::string text;
+    for (const auto& [name, value] : observation.inputs) {
+        text += (text.empty() ? "" : ", ") + name + "=" + (hexadecimal ? value.hex : value.decimal);
+    }
+    return text;
+}
+
+std::string Join(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) {
+        text += (text.empty() ? "" : ", ") + word;
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string ShortNumber(double value) {
+    if (std::isinf(value)) {
+        return value > 0 ? "infinite" : "-infinite";
+    }
+    if (value == 0) {
+        return "0";
+    }
+    return format("{:.3g}", value);
+}
+
+std::string WorstText(const Observation& observation) {
+    return format("{}: {} ulp, {} % of the tolerance, at {}", observation.output,
+                  ShortNumber(observation.ulp_error), ShortNumber(100 * observation.used),
+                  InputText(observation, false));
+}
+
+std::string FailureText(const Record& record) {
+    std::string text = format("{} on {} ({}): {}", record.case_path, record.device, record.recipe,
+                              VerdictName(record.verdict));
+    if (!record.reason.empty()) {
+        text += "\n  reason    " + record.reason;
+    }
+    if (record.worst && record.refused > 0) {
+        const Observation& worst = *record.worst;
+        text += format(
+            "\n  refused   {} of {} values ({} rows, seed {}); the worst:"
+            "\n  input     {}\n            {}"
+            "\n  output    {}\n  actual    {} = {}\n  expected  {} = {}"
+            "\n  error     {} ulp, {} absolute, {} times the tolerance\n  rule      {}",
+            record.refused, record.judged, record.rows, record.seed, InputText(worst, false),
+            InputText(worst, true), worst.output, worst.actual.decimal, worst.actual.hex,
+            worst.expected.decimal, worst.expected.hex, ShortNumber(worst.ulp_error),
+            ShortNumber(worst.error), ShortNumber(worst.used), worst.rule);
+    }
+    if (!record.known_cause.empty()) {
+        text += "\n  known     " + record.known_cause;
+    }
+    text += "\n  repeat    " + record.repeat;
+    return text;
+}
+
+std::string SummaryText(const RunRecord& run) {
+    struct Count {
+        int pass = 0, fail = 0, known = 0, skip = 0, crash = 0, timeout = 0;
+        const Record* tightest = nullptr;
+    };
+    std::map<std::string, Count> by_device;
+    std::map<std::string, int> reasons;
+    std::map<std::string, int> causes;
+    std::string flakes;
+    for (const Record& record : run.records) {
+        Count& count = by_device[record.device];
+        switch (record.verdict) {
+            case Verdict::kPass:
+                ++count.pass;
+                if (record.worst && (count.tightest == nullptr ||
+                                     record.worst->used > count.tightest->worst->used)) {
+                    count.tightest = &record;
+                }
+                break;
+            case Verdict::kSkip:
+                ++count.skip;
+                ++reasons[record.reason];
+                break;
+            case Verdict::kFail:
+            case Verdict::kCrash:
+            case Verdict::kTimeout:
+                if (!record.known_cause.empty()) {
+                    ++count.known;
+                    ++causes[record.known_cause];
+                } else if (record.verdict == Verdict::kFail) {
+                    ++count.fail;
+                } else if (record.verdict == Verdict::kCrash) {
+                    ++count.crash;
+                } else {
+                    ++count.timeout;
+                }
+                break;
+        }
+        if (!record.flake.empty()) {
+            flakes += format("  {} on {} ({}): {}\n", record.case_path, record.device,
+                             record.recipe, record.flake);
+        }
+    }
+    std::string text = format("{:<28} {:>5} {:>5} {:>5} {:>5} {:>5} {:>7}  {}\n", "device", "pass",
+                              "fail", "known", "skip", "crash", "timeout", "least margin");
+    for (const auto& [device, count] : by_device) {
+        std::string margin = "-";
+        if (count.tightest != nullptr) {
+            margin = format("{:.1f} %  {} ({})", 100 * (1 - count.tightest->worst->used),
+                            count.tightest->case_path, count.tightest->recipe);
+        }
+        text += format("{:<28} {:>5} {:>5} {:>5} {:>5} {:>5} {:>7}  {}\n", device, count.pass,
+                       count.fail, count.known, count.skip, count.crash, count.timeout, margin);
+    }
+    for (const auto& [cause, times] : causes) {
+        text += format("known failure, {} times: {}\n", times, cause);
+    }
+    for (const auto& [reason, times] : reasons) {
+        text += format("skipped, {} times: {}\n", times, reason);
+    }
+    if (!flakes.empty()) {
+        text += "failed once and not again:\n" + flakes;
+    }
+    return text;
+}
+
+std::string DevicesText(const RunRecord& run, bool with_absent) {
+    std::string text;
+    for (const DeviceInfo& device : run.devices) {
+        text += format(
+            "{}\n  implementation  {}\n  driver          {} {}\n  api             {}{}\n"
+            "  compiler        {}\n  features        {}\n  float controls  {}\n"
+            "  fingerprint     {}\n",
+            device.name, device.description, device.driver, device.version, device.api,
+            device.glsl_version == 0 ? "" : format(", GLSL {}", device.glsl_version),
+            device.compiler.empty() ? "not told" : device.compiler, Join(device.features),
+            device.float_controls.empty() ? "not told" : Join(device.float_controls),
+            Fingerprint(device));
+    }
+    if (with_absent) {
+        for (const DeviceNote& note : run.absent) {
+            text += format("not here: {}: {}\n", note.name, note.reason);
+        }
+    }
+    return text;
+}
+
+}  // namespace etalon

@@ -1,0 +1,27 @@
+// A record as a person reads it.
+#pragma once
+
+#include <string>
+
+#include "report/record.h"
+
+namespace etalon {
+
+// Case, device, recipe, input, both values in decimal and hexadecimal, error, rule, and the command
+// that repeats it.
+std::string FailureText(const Record& record);
+
+// "result.x: 3.2 ulp (20 % of the tolerance) at n1=1, cos_i=0.5".
+std::string WorstText(const Observation& observation);
+
+// The table at the end of a run: verdicts by device, the worst margins, skips and known failures
+// with their causes.
+std::string SummaryText(const RunRecord& run);
+
+// The table of `etalon devices`.
+std::string DevicesText(const RunRecord& run, bool with_absent);
+
+// An error in ulp or another magnitude, short: "0", "3.21", "1.5e+07".
+std::string ShortNumber(double value);
+
+}  // namespace etalon

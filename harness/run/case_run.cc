@@ -1,0 +1,287 @@
+#include "run/case_run.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+
+#include "base/check.h"
+#include "base/file.h"
+#include "base/format.h"
+
+namespace etalon {
+namespace {
+
+// The text in single quotes for a shell.
+std::string Quoted(const std::string& text) {
+    std::string quoted = "'";
+    for (const char c : text) {
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return quoted + "'";
+}
+
+Value ValueOf(Scalar scalar, std::uint32_t word) {
+    const std::string decimal = WordText(scalar, word);
+    return {decimal, scalar == Scalar::kFloat ? HexFloat(std::bit_cast<float>(word)) : decimal};
+}
+
+std::vector<std::pair<std::string, Value>> InputsAt(const Table& table, std::uint64_t row) {
+    std::vector<std::pair<std::string, Value>> inputs;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        inputs.emplace_back(table.columns[c].name,
+                            ValueOf(table.columns[c].scalar, table.At(row, c)));
+    }
+    return inputs;
+}
+
+// The results of one evaluation, by columns over all rows.
+class Gathered {
+  public:
+    Gathered(std::uint64_t rows, std::size_t columns) : rows_(rows), words_(rows * columns) {}
+
+    void Take(std::uint64_t first, std::uint32_t rows, std::span<const std::uint32_t> words) {
+        const std::size_t columns = words_.size() / rows_;
+        for (std::size_t c = 0; c < columns; ++c) {
+            const auto from = words.subspan(c * rows, rows);
+            std::copy(from.begin(), from.end(),
+                      words_.begin() + static_cast<std::ptrdiff_t>(c * rows_ + first));
+        }
+    }
+    std::span<const std::uint32_t> Column(std::size_t column) const {
+        return std::span(words_).subspan(column * rows_, rows_);
+    }
+
+  private:
+    std::uint64_t rows_;
+    std::vector<std::uint32_t> words_;
+};
+
+// Collects what the judges say of one output or law into the record.
+class Collector {
+  public:
+    Collector(const PreparedCase& prepared, Record& record)
+        : prepared_(prepared), record_(record) {}
+
+    // `observe(row)` makes the observation of a row; it is asked only for the worst one.
+    template <typename Observe>
+    void Add(const std::string& what, const Summary& summary, Observe observe) {
+        record_.judged += summary.judged;
+        record_.refused += summary.refused;
+        if (summary.refused > 0) {
+            record_.failed.push_back(what);
+        }
+        const bool is_worse = !record_.worst || summary.worst_used > record_.worst->used;
+        if (summary.judged == 0 || !is_worse) {
+            return;
+        }
+        const std::uint64_t row =
+            summary.worst_used_at == Summary::kNone ? 0 : summary.worst_used_at;
+        Observation observation = observe(row);
+        observation.inputs = InputsAt(prepared_.table, row);
+        record_.worst = std::move(observation);
+    }
+
+  private:
+    const PreparedCase& prepared_;
+    Record& record_;
+};
+
+void SetFailure(const EvaluationFailure& failure, Record& record) {
+    using Kind = EvaluationFailure::Kind;
+    record.reason = failure.reason;
+    switch (failure.kind) {
+        case Kind::kUnsupported:
+            record.verdict = Verdict::kSkip;
+            return;
+        case Kind::kInput:
+        case Kind::kRejected:
+            record.verdict = Verdict::kFail;
+            return;
+        case Kind::kCrash:
+            record.verdict = Verdict::kCrash;
+            return;
+        case Kind::kTimeout:
+            record.verdict = Verdict::kTimeout;
+            return;
+    }
+}
+
+Rows RowsOfTable(const Table& table) {
+    return {table.words, table.rows, table.columns.size()};
+}
+
+Observation ObserveOutput(const JudgedColumn& column, std::uint32_t word, std::uint64_t row) {
+    const Judgement judgement = JudgeValue(column.accept, column.scalar, word, column.truth, row);
+    Observation observation;
+    observation.output = column.name;
+    observation.rule = column.scalar == Scalar::kFloat ? column.accept.Text() : "equal";
+    observation.actual = ValueOf(column.scalar, word);
+    const double truth = column.truth.values[row];
+    observation.expected = {Shortest(truth), HexFloat(truth)};
+    observation.error = judgement.error;
+    observation.ulp_error = judgement.ulp_error;
+    observation.used = judgement.used;
+    return observation;
+}
+
+std::string LawLabel(const Law& law) {
+    return "law '" + law.name + "'";
+}
+
+std::string RelationText(const Law& law) {
+    switch (law.relation) {
+        case Relation::kEqual:
+            return "==";
+        case Relation::kLessEqual:
+            return "<=";
+        case Relation::kGreaterEqual:
+            return ">=";
+        case Relation::kLess:
+            return "<";
+        case Relation::kGreater:
+            return ">";
+    }
+    return "";
+}
+
+// The call's outputs against their oracles. False where there was no result to judge.
+bool JudgeOutputs(const PreparedCase& prepared, Session& session, const Recipe& recipe,
+                  Collector& collector, Record& record) {
+    Gathered results(prepared.table.rows, prepared.signature.OutputWords(prepared.call));
+    const auto evaluated = session.Evaluate(
+        prepared.call, prepared.signature, recipe, RowsOfTable(prepared.table),
+        [&](std::uint64_t first, std::uint32_t rows, std::span<const std::uint32_t> words) {
+            results.Take(first, rows, words);
+        });
+    record.flake += session.flake();
+    if (!evaluated) {
+        SetFailure(evaluated.error(), record);
+        return false;
+    }
+    for (const JudgedColumn& column : prepared.judged) {
+        const std::span<const std::uint32_t> words = results.Column(column.column);
+        Summary summary;
+        JudgeColumn(column.accept, column.scalar, words, column.truth, 0, summary);
+        collector.Add(column.name, summary,
+                      [&](std::uint64_t row) { return ObserveOutput(column, words[row], row); });
+    }
+    return true;
+}
+
+bool JudgeLawRows(const PreparedCase& prepared, const PreparedLaw& law, Session& session,
+                  const Recipe& recipe, Collector& collector, Record& record) {
+    Gathered results(prepared.table.rows, law.signature.OutputWords(law.call));
+    const auto evaluated = session.Evaluate(
+        law.call, law.signature, recipe, RowsOfTable(prepared.table),
+        [&](std::uint64_t first, std::uint32_t rows, std::span<const std::uint32_t> words) {
+            results.Take(first, rows, words);
+        });
+    record.flake += session.flake();
+    if (!evaluated) {
+        SetFailure(evaluated.error(), record);
+        return false;
+    }
+    for (std::size_t i = 0; i < law.pairs.size(); ++i) {
+        const std::span<const std::uint32_t> left = results.Column(law.pairs[i].first);
+        const std::span<const std::uint32_t> right = results.Column(law.pairs[i].second);
+        Summary summary;
+        for (std::uint64_t row = 0; row < prepared.table.rows; ++row) {
+            summary.Add(row, JudgeLaw(law.law, law.scalars[i], left[row], right[row]));
+        }
+        collector.Add(LawLabel(law.law), summary, [&](std::uint64_t row) {
+            const Judgement judgement = JudgeLaw(law.law, law.scalars[i], left[row], right[row]);
+            Observation observation;
+            observation.output = LawLabel(law.law) + ", left side";
+            observation.rule = law.law.left + " " + RelationText(law.law) + " " + law.law.right +
+                               ", within " + law.law.within.Text();
+            observation.actual = ValueOf(law.scalars[i], left[row]);
+            observation.expected = ValueOf(law.scalars[i], right[row]);
+            observation.error = judgement.error;
+            observation.ulp_error = judgement.ulp_error;
+            observation.used = judgement.used;
+            return observation;
+        });
+    }
+    return true;
+}
+
+std::string RepeatCommand(const Record& record, const RepeatContext& context) {
+    std::string command = context.program + " run " + record.case_path + context.options +
+                          " --device " + Quoted(record.device) + " --recipe " + record.recipe;
+    if (record.worst) {
+        std::string at;
+        for (const auto& [name, value] : record.worst->inputs) {
+            at += (at.empty() ? "" : ",") + name + "=" + value.hex;
+        }
+        command += " --at " + Quoted(at);
+    }
+    return command;
+}
+
+// True where the expectation speaks of what failed: of laws alone, if it names any; of anything
+// otherwise.
+bool Covers(const ExpectedFailure& expected, const Record& record) {
+    return expected.law.empty() ||
+           std::all_of(record.failed.begin(), record.failed.end(), [&](const std::string& what) {
+               return GlobMatches("law '" + expected.law + "'", what);
+           });
+}
+
+// Applies the case's expected failures: a failure that is known counts as good, a pass that was
+// expected to fail does not, for then the case tells something that is no longer true.
+void ApplyExpectation(const ExpectedFailure& expected, Record& record) {
+    if (record.verdict == Verdict::kSkip) {
+        return;
+    }
+    if (record.verdict != Verdict::kPass && !Covers(expected, record)) {
+        return;
+    }
+    if (record.verdict != Verdict::kPass) {
+        record.known_cause = expected.status + ": " + expected.cause +
+                             (expected.link.empty() ? "" : " (" + expected.link + ")");
+        return;
+    }
+    record.verdict = Verdict::kFail;
+    record.reason = "passes, but is expected to fail (" + expected.status + ": " + expected.cause +
+                    "); take the expectation out of the case";
+}
+
+}  // namespace
+
+Record RunCase(const PreparedCase& prepared, Session& session, const Recipe& recipe,
+               const RepeatContext& context) {
+    const auto start = std::chrono::steady_clock::now();
+    Record record;
+    record.case_path = prepared.source.path;
+    record.device = session.info().name;
+    record.recipe = RecipeText(recipe);
+    record.family = prepared.source.family;
+    record.seed = prepared.source.seed;
+    record.rows = prepared.table.rows;
+    Collector collector(prepared, record);
+    bool complete = true;
+    if (!prepared.judged.empty()) {
+        complete = JudgeOutputs(prepared, session, recipe, collector, record);
+    }
+    for (const PreparedLaw& law : prepared.laws) {
+        complete = complete && JudgeLawRows(prepared, law, session, recipe, collector, record);
+    }
+    if (complete) {
+        ETALON_CHECK(record.judged > 0);
+        record.verdict = record.refused == 0 ? Verdict::kPass : Verdict::kFail;
+    }
+    record.repeat = RepeatCommand(record, context);
+    for (const ExpectedFailure& expected : prepared.source.expected_failures) {
+        if (GlobMatches(expected.device, record.device) &&
+            GlobMatches(expected.recipe, record.recipe)) {
+            ApplyExpectation(expected, record);
+            break;
+        }
+    }
+    record.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return record;
+}
+
+}  // namespace etalon

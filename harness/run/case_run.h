@@ -1,0 +1,23 @@
+// Runs one prepared case on one device by one recipe.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "report/record.h"
+#include "run/prepared_case.h"
+#include "run/session.h"
+
+namespace etalon {
+
+// How the command that repeats a case is written: what the user chose beside the case itself.
+struct RepeatContext {
+    std::string program = "etalon";
+    std::string options;  // "--root DIR --driver NAME=DIR", with a leading space, or empty
+};
+
+// Never fails: whatever happens is a verdict. Expected failures of the case are taken into account.
+Record RunCase(const PreparedCase& prepared, Session& session, const Recipe& recipe,
+               const RepeatContext& context);
+
+}  // namespace etalon

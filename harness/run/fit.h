@@ -1,0 +1,24 @@
+// Fits recipes to devices.
+#pragma once
+
+#include <vector>
+
+#include "base/result.h"
+#include "compile/compile.h"
+#include "device/device.h"
+#include "probe/recipe.h"
+
+namespace etalon {
+
+// Whose programs the device takes.
+Target TargetOf(const DeviceInfo& device);
+
+// The recipe as this device can run it: the fragment stage where it has no compute. Fails, with the
+// reason for a skip, where it cannot.
+Result<Recipe> FitRecipe(const Recipe& recipe, const DeviceInfo& device);
+
+// What is run where nobody asks for recipes: one for a probe, several for a case.
+Recipe DefaultRecipe(const DeviceInfo& device);
+std::vector<Recipe> DefaultRecipes(const DeviceInfo& device);
+
+}  // namespace etalon

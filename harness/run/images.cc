@@ -1,0 +1,60 @@
+#include "run/images.h"
+
+#include <stb/stb_image.h>
+
+#include <memory>
+
+#include "base/file.h"
+
+namespace etalon {
+
+Result<Image> ReadImage(const std::filesystem::path& path) {
+    ETALON_TRY(bytes, ReadFile(path));
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(bytes.size());
+    constexpr int kChannels = 4;
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    Image image;
+    if (stbi_is_hdr_from_memory(data, size) != 0) {
+        const std::unique_ptr<float, void (*)(void*)> pixels(
+            stbi_loadf_from_memory(data, size, &width, &height, &channels, kChannels),
+            stbi_image_free);
+        if (pixels != nullptr) {
+            image.rgba.assign(pixels.get(), pixels.get() + kChannels * width * height);
+        }
+    } else {
+        const std::unique_ptr<stbi_us, void (*)(void*)> pixels(
+            stbi_load_16_from_memory(data, size, &width, &height, &channels, kChannels),
+            stbi_image_free);
+        if (pixels != nullptr) {
+            for (int i = 0; i < kChannels * width * height; ++i) {
+                image.rgba.push_back(static_cast<float>(pixels.get()[i]) / 65535.0f);
+            }
+        }
+    }
+    if (image.rgba.empty()) {
+        return Error{path.string() + ": is not an image (" + stbi_failure_reason() + ")"};
+    }
+    image.width = static_cast<std::uint32_t>(width);
+    image.height = static_cast<std::uint32_t>(height);
+    return image;
+}
+
+Status<> AddWith(const std::vector<std::string>& with, const std::filesystem::path& base,
+                 Call& call) {
+    for (const std::string& one : with) {
+        const std::size_t equals = one.find('=');
+        if (equals == std::string::npos) {
+            call.with.push_back(base / one);
+            continue;
+        }
+        ETALON_TRY(image, ReadImage(base / one.substr(equals + 1)));
+        call.images.push_back(
+            {one.substr(0, equals), std::make_shared<const Image>(std::move(image))});
+    }
+    return Ok();
+}
+
+}  // namespace etalon

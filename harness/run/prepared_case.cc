@@ -1,0 +1,299 @@
+#include "run/prepared_case.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "compile/compile.h"
+#include "numeric/ulp.h"
+#include "run/images.h"
+
+namespace etalon {
+namespace {
+
+bool IsSubnormal(std::uint32_t word) {
+    return (word & 0x7f800000u) == 0 && (word & 0x007fffffu) != 0;
+}
+
+// Inputs as binary64, by columns.
+std::vector<std::vector<double>> Doubles(const Table& table, bool flush) {
+    std::vector<std::vector<double>> columns(table.columns.size());
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        columns[c].resize(table.rows);
+        for (std::uint64_t row = 0; row < table.rows; ++row) {
+            const double value = WordValue(table.columns[c].scalar, table.At(row, c));
+            columns[c][row] =
+                flush && table.columns[c].scalar == Scalar::kFloat ? FlushBinary32(value) : value;
+        }
+    }
+    return columns;
+}
+
+Table RowsOf(const Table& table, const std::vector<std::uint64_t>& rows) {
+    Table some = table;
+    some.rows = rows.size();
+    some.words.resize(rows.size() * table.columns.size());
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            some.words[c * rows.size() + i] = table.At(rows[i], c);
+        }
+    }
+    return some;
+}
+
+std::vector<std::uint64_t> SubnormalRows(const Table& table) {
+    std::vector<std::uint64_t> rows;
+    for (std::uint64_t row = 0; row < table.rows; ++row) {
+        for (std::size_t c = 0; c < table.columns.size(); ++c) {
+            if (table.columns[c].scalar == Scalar::kFloat && IsSubnormal(table.At(row, c))) {
+                rows.push_back(row);
+                break;
+            }
+        }
+    }
+    return rows;
+}
+
+// Values of an expression at all rows, by columns, with their errors.
+void EvaluateAt(const Expression& expression, const Table& table, bool flush,
+                std::vector<double>& values, std::vector<double>& errors) {
+    const std::vector<std::vector<double>> columns = Doubles(table, flush);
+    std::vector<const double*> pointers;
+    for (const std::vector<double>& column : columns) {
+        pointers.push_back(column.data());
+    }
+    if (expression.IsFast()) {
+        expression.EvaluateFast(pointers, table.rows, values);
+        errors.resize(values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            errors[i] =
+                TruthError(values[i], expression.relative_bound(), expression.absolute_bound());
+        }
+        return;
+    }
+    std::vector<Expression::Value> results;
+    expression.Evaluate(pointers, table.rows, results);
+    values.resize(results.size());
+    errors.resize(results.size());
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        values[i] = results[i].value;
+        errors[i] = results[i].error;
+    }
+}
+
+std::vector<Symbol> Symbols(const Table& table) {
+    std::vector<Symbol> symbols;
+    for (const Variable& variable : table.variables) {
+        symbols.push_back({variable.name, variable.columns});
+    }
+    return symbols;
+}
+
+Error In(const Case& source, const std::string& reason) {
+    return Error{source.file.string() + ": " + reason};
+}
+
+Result<Call> CallOf(const Case& source, const Table& table) {
+    Call call;
+    call.source = source.root / source.source;
+    for (const std::string& root : source.include) {
+        call.include_roots.push_back(source.root / root);
+    }
+    call.defines = source.define;
+    ETALON_TRY_STEP(AddWith(source.with, source.root, call));
+    for (const Variable& variable : table.variables) {
+        call.arguments.push_back({variable.name, variable.type, true, false});
+    }
+    for (const auto& [name, type] : source.out) {
+        const auto same = std::find_if(
+            call.arguments.begin(), call.arguments.end(),
+            [&, &wanted = name](const Argument& argument) { return argument.name == wanted; });
+        if (same != call.arguments.end()) {
+            same->is_output = true;
+        } else {
+            call.arguments.push_back({name, type, false, true});
+        }
+    }
+    return call;
+}
+
+Result<std::vector<JudgedColumn>> JudgedColumns(const Case& source, const Table& table,
+                                                const Call& call, const Signature& signature) {
+    const std::vector<ProbeColumn> outputs = OutputColumns(call, signature);
+    const std::vector<std::uint64_t> subnormal = SubnormalRows(table);
+    const Table subnormal_rows = RowsOf(table, subnormal);
+    const std::vector<Symbol> symbols = Symbols(table);
+    std::vector<JudgedColumn> judged;
+    for (const Expectation& expectation : source.expectations) {
+        std::vector<std::size_t> columns;
+        for (std::size_t i = 0; i < outputs.size(); ++i) {
+            const std::string& name = outputs[i].name;
+            const std::size_t end = name.find_first_of(".[");
+            if (name.substr(0, end) == expectation.output) {
+                columns.push_back(i);
+            }
+        }
+        Expression truth = expectation.truth;
+        ETALON_TRY(components, truth.Bind(symbols));
+        if (columns.empty()) {
+            return In(source, "the call has no output '" + expectation.output + "'");
+        }
+        if (columns.size() != components) {
+            return In(source, "'" + expectation.output + "' has " + std::to_string(columns.size()) +
+                                  " components, its oracle " + std::to_string(components));
+        }
+        std::vector<double> values;
+        std::vector<double> errors;
+        EvaluateAt(truth, table, false, values, errors);
+        std::vector<double> other_values;
+        std::vector<double> other_errors;
+        if (!subnormal.empty()) {
+            EvaluateAt(truth, subnormal_rows, true, other_values, other_errors);
+        }
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+            JudgedColumn column;
+            column.name = outputs[columns[k]].name;
+            column.column = columns[k];
+            column.scalar = outputs[columns[k]].scalar;
+            column.accept = expectation.accept;
+            const auto part = [&](const std::vector<double>& all) {
+                const auto from = all.begin() + static_cast<std::ptrdiff_t>(k * table.rows);
+                return std::vector<double>(from, from + static_cast<std::ptrdiff_t>(table.rows));
+            };
+            column.truth.values = part(values);
+            column.truth.errors = part(errors);
+            for (std::size_t i = 0; i < subnormal.size(); ++i) {
+                const std::size_t at = k * subnormal.size() + i;
+                column.truth.alternatives.push_back(
+                    {subnormal[i], other_values[at], other_errors[at]});
+            }
+            judged.push_back(std::move(column));
+        }
+    }
+    return judged;
+}
+
+Result<PreparedLaw> PrepareLaw(const Case& source, const Law& law, const Call& call) {
+    PreparedLaw prepared;
+    prepared.law = law;
+    prepared.call = call;
+    const std::string origin = source.file.string() + ": law '" + law.name + "'";
+    prepared.call.wanted = {{"left", law.left, origin}, {"right", law.right, origin}};
+    // The law's own calls declare nothing; only the inputs are theirs.
+    std::erase_if(prepared.call.arguments,
+                  [](const Argument& argument) { return !argument.is_input; });
+    for (Argument& argument : prepared.call.arguments) {
+        argument.is_output = false;
+    }
+    ETALON_TRY(signature, Inspect(prepared.call));
+    prepared.signature = signature;
+    const std::size_t left = Leaves(signature.wanted[0]).size();
+    const std::size_t right = Leaves(signature.wanted[1]).size();
+    if (left == 0 || right == 0 || (right != left && right != 1)) {
+        return Error{origin + ": the sides have " + std::to_string(left) + " and " +
+                     std::to_string(right) + " components"};
+    }
+    const std::vector<ProbeColumn> outputs = OutputColumns(prepared.call, signature);
+    for (std::size_t i = 0; i < left; ++i) {
+        const std::size_t other = left + (right == 1 ? 0 : i);
+        if (outputs[i].scalar != outputs[other].scalar) {
+            return Error{origin + ": the sides have different types"};
+        }
+        prepared.pairs.emplace_back(i, other);
+        prepared.scalars.push_back(outputs[i].scalar);
+    }
+    return prepared;
+}
+
+Result<PreparedCase> PrepareWith(const Case& source, Table table) {
+    PreparedCase prepared;
+    prepared.source = source;
+    prepared.table = std::move(table);
+    ETALON_TRY(call, CallOf(source, prepared.table));
+    prepared.call = std::move(call);
+    if (!source.expectations.empty()) {
+        prepared.call.wanted = {{"result", source.call, source.file.string() + ": call"}};
+        ETALON_TRY(signature, Inspect(prepared.call));
+        prepared.signature = signature;
+        ETALON_TRY(judged, JudgedColumns(source, prepared.table, prepared.call, signature));
+        prepared.judged = std::move(judged);
+    }
+    for (const Law& law : source.laws) {
+        ETALON_TRY(one, PrepareLaw(source, law, prepared.call));
+        prepared.laws.push_back(std::move(one));
+    }
+    return prepared;
+}
+
+}  // namespace
+
+Result<PreparedCase> Prepare(const Case& source) {
+    ETALON_TRY(table, Expand(source.domains, source.seed, source.file.string()));
+    ETALON_TRY_STEP(CheckAcceptance(source, table));
+    return PrepareWith(source, std::move(table));
+}
+
+Result<PreparedCase> PrepareAt(const Case& source, const std::string& at) {
+    ETALON_TRY(all, Expand(source.domains, source.seed, source.file.string()));
+    Table table = RowsOf(all, {0});
+    std::vector<bool> given(table.columns.size(), false);
+    std::size_t from = 0;
+    while (from <= at.size()) {
+        const std::size_t comma = std::min(at.find(',', from), at.size());
+        std::string item = at.substr(from, comma - from);
+        from = comma + 1;
+        item.erase(0, item.find_first_not_of(' '));
+        const std::size_t equals = item.find('=');
+        if (equals == std::string::npos) {
+            return Error{"--at: '" + item + "' is not NAME=VALUE"};
+        }
+        const std::string name = item.substr(0, equals);
+        const auto column = std::find_if(table.columns.begin(), table.columns.end(),
+                                         [&](const Column& one) { return one.name == name; });
+        if (column == table.columns.end()) {
+            return Error{"--at: the case has no input '" + name + "'"};
+        }
+        Result<std::uint32_t> word = ParseWord(column->scalar, item.substr(equals + 1));
+        if (!word) {
+            return Error{"--at: " + name + ": " + word.error().message};
+        }
+        const auto index = static_cast<std::size_t>(column - table.columns.begin());
+        table.words[index] = *word;
+        given[index] = true;
+    }
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        if (!given[i]) {
+            return Error{"--at: no value for input '" + table.columns[i].name + "'"};
+        }
+    }
+    return PrepareWith(source, std::move(table));
+}
+
+PreparedCase Thin(const PreparedCase& prepared, std::uint64_t count) {
+    const std::uint64_t rows = prepared.table.rows;
+    if (rows <= count) {
+        return prepared;
+    }
+    std::vector<std::uint64_t> chosen;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        chosen.push_back(count == 1 ? 0 : i * (rows - 1) / (count - 1));
+    }
+    PreparedCase thin = prepared;
+    thin.table = RowsOf(prepared.table, chosen);
+    for (JudgedColumn& column : thin.judged) {
+        Truth some;
+        for (std::size_t i = 0; i < chosen.size(); ++i) {
+            some.values.push_back(column.truth.values[chosen[i]]);
+            some.errors.push_back(column.truth.errors[chosen[i]]);
+            for (const Truth::Alternative& other : column.truth.alternatives) {
+                if (other.row == chosen[i]) {
+                    some.alternatives.push_back({i, other.value, other.error});
+                }
+            }
+        }
+        column.truth = std::move(some);
+    }
+    return thin;
+}
+
+}  // namespace etalon

@@ -1,0 +1,53 @@
+// A case made ready to run: its rows, its types, its truths. Made once, used on every device.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "case/case.h"
+#include "judge/judge.h"
+#include "probe/call.h"
+
+namespace etalon {
+
+// One output column that an oracle judges.
+struct JudgedColumn {
+    std::string name;        // "result.x"
+    std::size_t column = 0;  // among the outputs
+    Scalar scalar = Scalar::kFloat;
+    Acceptance accept;
+    Truth truth;
+};
+
+struct PreparedLaw {
+    Law law;
+    Call call;  // wants both sides
+    Signature signature;
+    // One pair of output columns for each component of the sides.
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    std::vector<Scalar> scalars;
+};
+
+struct PreparedCase {
+    Case source;
+    Table table;
+    Call call;
+    Signature signature;
+    std::vector<JudgedColumn> judged;  // empty where the case has laws only
+    std::vector<PreparedLaw> laws;
+};
+
+// Reads what the case names, expands its domain, finds types and truths. Every mistake in the case
+// or its shader is an error here, before anything runs.
+Result<PreparedCase> Prepare(const Case& source);
+
+// The same case at the one input that `at` describes: "n1=0x1p+0, v.x=0.5". All inputs must be
+// given.
+Result<PreparedCase> PrepareAt(const Case& source, const std::string& at);
+
+// The same case at `count` of its rows, evenly chosen, first and last among them.
+PreparedCase Thin(const PreparedCase& prepared, std::uint64_t count);
+
+}  // namespace etalon

@@ -1,0 +1,195 @@
+#include "run/session.h"
+
+#include <algorithm>
+
+#include "compile/text.h"
+#include "run/fit.h"
+
+namespace etalon {
+namespace {
+
+using Kind = EvaluationFailure::Kind;
+
+// Rows that one dispatch takes: few dispatches for a million rows, and a bound on what is repeated
+// after a crash.
+constexpr std::uint64_t kChunkRows = 1u << 18;
+constexpr std::uint64_t kChunkWords = 1u << 23;
+// A baked program is as long as its rows are many; drivers compile longer ones ever more slowly.
+constexpr std::size_t kBakedRowsPerProgram = 16;
+
+EvaluationFailure FromWorker(const WorkerFailure& failure, const Program& program) {
+    switch (failure.kind) {
+        case WorkerFailure::Kind::kUnsupported:
+            return {Kind::kUnsupported, failure.reason};
+        case WorkerFailure::Kind::kRejected:
+            return {Kind::kRejected,
+                    "the driver's compiler refused a program that glslang accepts: " +
+                        DriverError(failure.reason, program.line_names)};
+        case WorkerFailure::Kind::kCrash:
+            return {Kind::kCrash, failure.reason};
+        case WorkerFailure::Kind::kTimeout:
+            return {Kind::kTimeout, failure.reason};
+    }
+    return {Kind::kCrash, failure.reason};
+}
+
+bool IsWorkersEnd(const EvaluationFailure& failure) {
+    return failure.kind == Kind::kCrash || failure.kind == Kind::kTimeout;
+}
+
+EvaluationFailure FromCompiler(const CompileFailure& failure) {
+    return {failure.kind == CompileFailure::Kind::kInput ? Kind::kInput : Kind::kUnsupported,
+            failure.reason};
+}
+
+// Everything that a compiled program depends on, but for the content of its files, which does not
+// change in a run.
+std::string KeyOf(const Call& call, const Recipe& recipe) {
+    std::string key = RecipeText(recipe) + '\n' + call.source.string() + '\n';
+    for (const auto& with : call.with) {
+        key += with.string() + '\n';
+    }
+    for (const auto& root : call.include_roots) {
+        key += root.string() + '\n';
+    }
+    for (const auto& [name, value] : call.defines) {
+        key += name + '=' + value + '\n';
+    }
+    for (const BoundImage& image : call.images) {
+        key += image.name + '\n';
+    }
+    for (const Argument& argument : call.arguments) {
+        key += argument.type + ' ' + argument.name + (argument.is_input ? " in" : "") +
+               (argument.is_output ? " out" : "") + '\n';
+    }
+    for (const Wanted& wanted : call.wanted) {
+        key += wanted.text + '\n';
+    }
+    return key;
+}
+
+}  // namespace
+
+Session::Session(std::unique_ptr<Client> client, DeviceInfo info)
+    : client_(std::move(client)), info_(std::move(info)) {}
+
+Session::Outcome Session::Renew(std::uint32_t attempt) {
+    loaded_.clear();
+    if (auto started = client_->Restart(attempt); !started) {
+        return EvaluationFailure{Kind::kCrash, started.error().message};
+    }
+    if (auto opened = client_->Open(); !opened) {
+        return EvaluationFailure{Kind::kCrash, "did not open again: " + opened.error().reason};
+    }
+    return Ok();
+}
+
+Result<std::uint32_t, EvaluationFailure> Session::Ready(const std::string& key,
+                                                        const Program& program) {
+    if (const auto known = loaded_.find(key); known != loaded_.end()) {
+        return known->second;
+    }
+    WorkerResult<std::uint32_t> handle = client_->Load(program);
+    if (!handle) {
+        return FromWorker(handle.error(), program);
+    }
+    loaded_[key] = *handle;
+    return *handle;
+}
+
+Session::Outcome Session::RunChunk(const std::string& key, const Program& program,
+                                   const Rows& inputs, std::uint64_t first, std::uint32_t rows,
+                                   const Sink& sink) {
+    ETALON_TRY(handle, Ready(key, program));
+    const std::span<std::uint32_t> words =
+        client_->Inputs(rows, program.input_words, program.output_words);
+    for (std::size_t column = 0; column < program.input_words; ++column) {
+        const auto from = inputs.words.subspan(column * inputs.rows + first, rows);
+        std::copy(from.begin(), from.end(),
+                  words.begin() + static_cast<std::ptrdiff_t>(column * rows));
+    }
+    WorkerResult<std::span<const std::uint32_t>> outputs = client_->Run(handle);
+    if (!outputs) {
+        return FromWorker(outputs.error(), program);
+    }
+    sink(first, rows, *outputs);
+    return Ok();
+}
+
+Session::Outcome Session::RunChunkTwice(const std::string& key, const Program& program,
+                                        const Rows& inputs, std::uint64_t first, std::uint32_t rows,
+                                        const Sink& sink) {
+    Outcome once = client_->alive() ? RunChunk(key, program, inputs, first, rows, sink) : Renew(0);
+    if (once || !IsWorkersEnd(once.error())) {
+        return once;
+    }
+    Outcome again = Renew(1);
+    if (again) {
+        again = RunChunk(key, program, inputs, first, rows, sink);
+    }
+    if (again) {
+        flake_ = once.error().reason;
+        return again;
+    }
+    if (IsWorkersEnd(again.error())) {
+        // The next case gets a fresh worker; one that does not even open will say so then.
+        (void)Renew(0);
+    }
+    return again;
+}
+
+Session::Outcome Session::Evaluate(const Call& call, const Signature& signature,
+                                   const Recipe& recipe, const Rows& inputs, const Sink& sink) {
+    flake_.clear();
+    if (recipe.baked) {
+        return EvaluateBaked(call, signature, recipe, inputs, sink);
+    }
+    const std::string key = KeyOf(call, recipe);
+    auto known = compiled_.find(key);
+    if (known == compiled_.end()) {
+        Result<Program, CompileFailure> program =
+            Compile(call, signature, recipe, TargetOf(info_), {});
+        if (!program) {
+            return FromCompiler(program.error());
+        }
+        known = compiled_.emplace(key, std::move(*program)).first;
+    }
+    const Program& program = known->second;
+    const std::uint64_t words =
+        std::max<std::uint64_t>(1, program.input_words + program.output_words);
+    const std::uint64_t chunk = std::clamp<std::uint64_t>(
+        kChunkWords / words, 1, std::min<std::uint64_t>(kChunkRows, info_.max_rows));
+    for (std::uint64_t first = 0; first < inputs.rows; first += chunk) {
+        const auto rows = static_cast<std::uint32_t>(std::min(chunk, inputs.rows - first));
+        ETALON_TRY_STEP(RunChunkTwice(key, program, inputs, first, rows, sink));
+    }
+    return Ok();
+}
+
+Session::Outcome Session::EvaluateBaked(const Call& call, const Signature& signature,
+                                        const Recipe& recipe, const Rows& inputs,
+                                        const Sink& sink) {
+    for (std::uint64_t first = 0; first < inputs.rows; first += kBakedRowsPerProgram) {
+        const auto rows = static_cast<std::uint32_t>(
+            std::min<std::uint64_t>(kBakedRowsPerProgram, inputs.rows - first));
+        std::vector<std::vector<std::uint32_t>> baked(rows);
+        for (std::uint32_t row = 0; row < rows; ++row) {
+            for (std::size_t column = 0; column < inputs.columns; ++column) {
+                baked[row].push_back(inputs.words[column * inputs.rows + first + row]);
+            }
+        }
+        Result<Program, CompileFailure> program =
+            Compile(call, signature, recipe, TargetOf(info_), baked);
+        if (!program) {
+            return FromCompiler(program.error());
+        }
+        const std::string key = KeyOf(call, recipe) + "rows " + std::to_string(first);
+        loaded_.erase(key);
+        ETALON_TRY_STEP(RunChunkTwice(key, *program, inputs, first, rows, sink));
+        // Other rows may come under the same number the next time.
+        loaded_.erase(key);
+    }
+    return Ok();
+}
+
+}  // namespace etalon

@@ -1,0 +1,79 @@
+// Session: one device through a run: compiles for it, runs rows in chunks, starts a fresh worker
+// after a failure.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compile/compile.h"
+#include "probe/call.h"
+#include "worker/client.h"
+
+namespace etalon {
+
+// Why there are no results.
+struct EvaluationFailure {
+    enum class Kind : std::uint8_t {
+        kInput,        // the user's source or call is wrong
+        kUnsupported,  // skip
+        kRejected,     // the driver's compiler refused a valid program: fail
+        kCrash,
+        kTimeout,
+    };
+    Kind kind = Kind::kInput;
+    std::string reason;
+};
+
+// A table of inputs: word of (row, column) at words[column * rows + row].
+struct Rows {
+    std::span<const std::uint32_t> words;
+    std::uint64_t rows = 0;
+    std::size_t columns = 0;
+};
+
+class Session {
+  public:
+    Session(std::unique_ptr<Client> client, DeviceInfo info);
+
+    const DeviceInfo& info() const { return info_; }
+
+    // Receives the outputs of `rows` rows from `first` on: word of (row, column) at words[column *
+    // rows + row - first].
+    using Sink = std::function<void(std::uint64_t first, std::uint32_t rows,
+                                    std::span<const std::uint32_t> words)>;
+
+    // Evaluates the call at all rows. A crash or a hang is tried once more in a fresh worker, from
+    // the failed chunk on; where that succeeds, flake() tells what had happened.
+    Result<Nothing, EvaluationFailure> Evaluate(const Call& call, const Signature& signature,
+                                                const Recipe& recipe, const Rows& inputs,
+                                                const Sink& sink);
+
+    // What went wrong once in the last Evaluate and not again; empty otherwise.
+    const std::string& flake() const { return flake_; }
+
+  private:
+    using Outcome = Result<Nothing, EvaluationFailure>;
+
+    // The program's handle in the present worker, compiled and loaded on first use.
+    Result<std::uint32_t, EvaluationFailure> Ready(const std::string& key, const Program& program);
+    Outcome RunChunk(const std::string& key, const Program& program, const Rows& inputs,
+                     std::uint64_t first, std::uint32_t rows, const Sink& sink);
+    Outcome RunChunkTwice(const std::string& key, const Program& program, const Rows& inputs,
+                          std::uint64_t first, std::uint32_t rows, const Sink& sink);
+    Outcome EvaluateBaked(const Call& call, const Signature& signature, const Recipe& recipe,
+                          const Rows& inputs, const Sink& sink);
+    Outcome Renew(std::uint32_t attempt);
+
+    std::unique_ptr<Client> client_;
+    DeviceInfo info_;
+    std::map<std::string, std::uint32_t> loaded_;  // program key -> handle in the present worker
+    std::map<std::string, Program> compiled_;
+    std::string flake_;
+};
+
+}  // namespace etalon
