@@ -40,7 +40,7 @@ struct DeviceOptions {
     std::vector<std::string> patterns;
     std::vector<std::string> drivers;
     double timeout = 10;
-    std::uint64_t memory = 4096;
+    std::uint64_t memory = 2048;
 
     void AddTo(CLI::App& app) {
         app.add_option("-d,--device", patterns,

@@ -174,58 +174,10 @@ Result<Type> FromGlslang(const glslang::TType& type) {
     return result;
 }
 
-// The statements of etalon_inspect, in order.
-const glslang::TIntermSequence* InspectedStatements(TIntermNode* root) {
-    for (TIntermNode* node : root->getAsAggregate()->getSequence()) {
-        glslang::TIntermAggregate* function = node->getAsAggregate();
-        if (function != nullptr && function->getOp() == glslang::EOpFunction &&
-            function->getName().rfind("etalon_inspect(", 0) == 0) {
-            return &function->getSequence().at(1)->getAsAggregate()->getSequence();
-        }
-    }
-    return nullptr;
-}
-
-Result<Signature> InspectIn(const Call& call, Stage stage, Dialect dialect) {
-    FrontEnd front(call, stage, InspectionShader(call, dialect));
-    front.AimAt(Target::Client::kVulkan);
-    const std::uint32_t version =
-        dialect.es ? kVersion : std::max(kVersion, std::min(dialect.version, 460u));
-    ETALON_TRY_STEP(front.Parse(version, Target::Client::kVulkan));
-    Signature signature;
-    signature.version = version;
-    signature.stage = stage;
-    const auto* statements = InspectedStatements(front.shader().getIntermediate()->getTreeRoot());
-    const std::size_t expected = call.arguments.size() + call.wanted.size();
-    if (statements == nullptr || statements->size() != expected) {
-        return Error{call.wanted.front().origin + ": is not one expression"};
-    }
-    for (std::size_t i = 0; i < expected; ++i) {
-        const bool is_argument = i < call.arguments.size();
-        const std::string what =
-            is_argument ? "'" + call.arguments[i].name + "'"
-                        : call.wanted[i - call.arguments.size()].origin + ": the result";
-        const glslang::TIntermTyped* typed = (*statements)[i]->getAsTyped();
-        if (typed == nullptr) {
-            return Error{what + " is not an expression"};
-        }
-        Result<Type> type = FromGlslang(typed->getType());
-        if (!type) {
-            return Error{what + " " + type.error().message};
-        }
-        (is_argument ? signature.arguments : signature.wanted).push_back(std::move(*type));
-    }
-    if (signature.OutputWords(call) == 0) {
-        return Error{call.wanted.front().origin +
-                     ": the call has no result and no out parameter, so there is nothing to see; "
-                     "--out NAME:TYPE declares one"};
-    }
-    return signature;
-}
-
-// Images in the order of the bindings that the linked program gives them. A sampler without an
-// image, and any other uniform, has no value.
-Result<std::vector<BoundImage>> BindImages(glslang::TProgram& program, const Call& call) {
+// Images in the order of the bindings that the linked program gives them; text has none, there
+// names count. A sampler without an image, and any other uniform, has no value.
+Result<std::vector<BoundImage>> BindImages(glslang::TProgram& program, const Call& call,
+                                           bool has_bindings) {
     const auto image_of = [&](const std::string& name) {
         return std::find_if(call.images.begin(), call.images.end(),
                             [&](const BoundImage& image) { return image.name == name; });
@@ -247,6 +199,10 @@ Result<std::vector<BoundImage>> BindImages(glslang::TProgram& program, const Cal
         if (image == call.images.end()) {
             return Error{call.source.string() + ": sampler '" + uniform.name +
                          "' has no image; --with " + uniform.name + "=IMAGE gives one"};
+        }
+        if (!has_bindings) {
+            bound.push_back(*image);
+            continue;
         }
         const int binding = uniform.getBinding() - static_cast<int>(kFirstImageBinding);
         if (binding < 0 || binding > 15) {
@@ -277,7 +233,58 @@ Result<std::vector<BoundImage>> Link(FrontEnd& front, glslang::TProgram& program
         return Error{FirstError(program.getInfoLog())};
     }
     program.buildReflection(EShReflectionSeparateBuffers | EShReflectionAllBlockVariables);
-    return BindImages(program, call);
+    return BindImages(program, call, client.has_value());
+}
+
+// The statements of etalon_inspect, in order.
+const glslang::TIntermSequence* InspectedStatements(TIntermNode* root) {
+    for (TIntermNode* node : root->getAsAggregate()->getSequence()) {
+        glslang::TIntermAggregate* function = node->getAsAggregate();
+        if (function != nullptr && function->getOp() == glslang::EOpFunction &&
+            function->getName().rfind("etalon_inspect(", 0) == 0) {
+            return &function->getSequence().at(1)->getAsAggregate()->getSequence();
+        }
+    }
+    return nullptr;
+}
+
+Result<Signature> InspectIn(const Call& call, Stage stage, Dialect dialect) {
+    FrontEnd front(call, stage, InspectionShader(call, dialect));
+    front.AimAt(Target::Client::kVulkan);
+    const std::uint32_t version =
+        dialect.es ? kVersion : std::max(kVersion, std::min(dialect.version, 460u));
+    ETALON_TRY_STEP(front.Parse(version, Target::Client::kVulkan));
+    glslang::TProgram program;
+    ETALON_TRY_STEP(Link(front, program, call, Target::Client::kVulkan));
+    Signature signature;
+    signature.version = version;
+    signature.stage = stage;
+    const auto* statements = InspectedStatements(front.shader().getIntermediate()->getTreeRoot());
+    const std::size_t expected = call.arguments.size() + call.wanted.size();
+    if (statements == nullptr || statements->size() != expected) {
+        return Error{call.wanted.front().origin + ": is not one expression"};
+    }
+    for (std::size_t i = 0; i < expected; ++i) {
+        const bool is_argument = i < call.arguments.size();
+        const std::string what =
+            is_argument ? "'" + call.arguments[i].name + "'"
+                        : call.wanted[i - call.arguments.size()].origin + ": the result";
+        const glslang::TIntermTyped* typed = (*statements)[i]->getAsTyped();
+        if (typed == nullptr) {
+            return Error{what + " is not an expression"};
+        }
+        Result<Type> type = FromGlslang(typed->getType());
+        if (!type) {
+            return Error{what + " " + type.error().message};
+        }
+        (is_argument ? signature.arguments : signature.wanted).push_back(std::move(*type));
+    }
+    if (signature.OutputWords(call) == 0) {
+        return Error{call.wanted.front().origin +
+                     ": the call has no result and no out parameter, so there is nothing to see; "
+                     "--out NAME:TYPE declares one"};
+    }
+    return signature;
 }
 
 }  // namespace

@@ -357,7 +357,17 @@ std::vector<Piece> InspectionShader(const Call& call, Dialect dialect) {
         out.User(wanted.origin, wanted.text);
         out << ";\n";
     }
-    out << "}\nvoid main() {}\n";
+    // The call from main lets the linker see what it reaches: functions without a body, samplers.
+    out << "}\nvoid main() {\n";
+    std::string arguments;
+    for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+        const std::string local = "etalon_a" + std::to_string(i);
+        out << "    ";
+        out.User(Origin(call.arguments[i]), call.arguments[i].type + " " + local);
+        out << ";\n";
+        arguments += (i == 0 ? "" : ", ") + local;
+    }
+    out << "    etalon_inspect(" << arguments << ");\n}\n";
     return pieces;
 }
 

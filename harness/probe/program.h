@@ -17,8 +17,8 @@
 //                         hold the words from the uniform int etalon_first on: attachment a,
 //                         channel k = word etalon_first + 4a + k; a program of more than
 //                         kTargetWords outputs is drawn several times
-// Images are bound to set 0, bindings 2, 3, ... in the order of `images` (SPIR-V, and compute text
-// through layout(binding)); fragment text finds them by name.
+// Images: SPIR-V finds them at set 0, bindings 2, 3, ... in the order of `images`; text by their
+// names.
 #pragma once
 
 #include <cstdint>

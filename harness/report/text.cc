@@ -113,7 +113,9 @@ std::string SummaryText(const RunRecord& run) {
     }
     std::string text = format("{:<28} {:>5} {:>5} {:>5} {:>5} {:>5} {:>7}  {}\n", "device", "pass",
                               "fail", "known", "skip", "crash", "timeout", "least margin");
-    for (const auto& [device, count] : by_device) {
+    for (const DeviceInfo& info : run.devices) {
+        const std::string& device = info.name;
+        const Count& count = by_device[device];
         std::string margin = "-";
         if (count.tightest != nullptr) {
             margin = format("{:.1f} %  {} ({})", 100 * (1 - count.tightest->worst->used),

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <iostream>
 #include <map>
+#include <set>
 
 #include "base/file.h"
 #include "report/text.h"
@@ -18,7 +19,7 @@ namespace {
 
 // Rows of a case that are built in where a recipe bakes its inputs: each costs the driver's
 // compiler its own copy.
-constexpr std::uint64_t kBakedRows = 48;
+constexpr std::uint64_t kBakedRows = 16;
 
 // Everything that the tests share while they run.
 struct Shared {
@@ -153,15 +154,14 @@ Status<> RegisterAll(Shared& shared, const RunChoice& choice) {
 // afterwards.
 class Listener : public ::testing::EmptyTestEventListener {
   public:
-    Listener(bool verbose, int total) : verbose_(verbose), progress_(total) {}
+    Listener(const std::vector<Record>& records, bool verbose, int total)
+        : records_(records), verbose_(verbose), progress_(total) {}
 
-    void OnTestPartResult(const ::testing::TestPartResult& result) override {
-        if (result.failed()) {
-            progress_.Clear();
-            std::cout << result.message() << "\n" << std::flush;
-        }
-    }
     void OnTestEnd(const ::testing::TestInfo& test) override {
+        if (test.result()->Failed()) {
+            progress_.Clear();
+            std::cout << Told(records_.back()) << "\n" << std::flush;
+        }
         const std::string name = std::string(test.test_suite_name()) + "." + test.name();
         if (verbose_) {
             std::cout << (test.result()->Failed()    ? "fail "
@@ -174,8 +174,26 @@ class Listener : public ::testing::EmptyTestEventListener {
     void OnTestProgramEnd(const ::testing::UnitTest&) override { progress_.Clear(); }
 
   private:
+    // The whole failure, or one line where the case has failed alike on another device: same input,
+    // same value.
+    std::string Told(const Record& record) {
+        if (record.worst && record.refused > 0) {
+            std::string same = record.case_path + record.worst->output + record.worst->actual.hex;
+            for (const auto& [name, value] : record.worst->inputs) {
+                same += name + value.hex;
+            }
+            if (!told_.insert(same).second) {
+                return record.case_path + " on " + record.device + " (" + record.recipe +
+                       "): fail, with the same input and value";
+            }
+        }
+        return FailureText(record);
+    }
+
+    const std::vector<Record>& records_;
     bool verbose_;
     Progress progress_;
+    std::set<std::string> told_;
 };
 
 bool IsPrefixOf(const std::string& pattern, const std::string& path) {
@@ -264,6 +282,7 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
         shared.record.devices.push_back(session->info());
     }
     shared.record.absent = shared.devices.absent;
+    shared.record.version = ETALON_VERSION;
 
     InitGoogleTest(choice.gtest_arguments);
     ETALON_TRY_STEP(RegisterAll(shared, choice));
@@ -273,7 +292,8 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     if (!outcome.listed_only) {
         ::testing::TestEventListeners& listeners = tests.listeners();
         delete listeners.Release(listeners.default_result_printer());
-        listeners.Append(new Listener(choice.verbose, tests.total_test_count()));
+        listeners.Append(
+            new Listener(shared.record.records, choice.verbose, tests.total_test_count()));
     }
     outcome.good = RUN_ALL_TESTS() == 0;
     shared.record.seconds =

@@ -167,17 +167,6 @@ class Probe {
           inputs_(InputColumns(request.call, request.signature)),
           outputs_(OutputColumns(request.call, request.signature)) {}
 
-    void Header() {
-        table_.Cell() = "device";
-        table_.Cell() = "recipe";
-        for (const auto* columns : {&inputs_, &outputs_}) {
-            for (const ProbeColumn& column : *columns) {
-                table_.Cell() = column.name;
-            }
-        }
-        table_.EndRow();
-    }
-
     // An error where the user's input is at fault; all else is counted.
     Status<> RunOn(Session& session, Recipe recipe) {
         if (request_.signature.stage == Stage::kFragment) {
@@ -231,8 +220,23 @@ class Probe {
     int failed() const { return failed_; }
 
   private:
+    void Header() {
+        table_.Cell() = "device";
+        table_.Cell() = "recipe";
+        for (const auto* columns : {&inputs_, &outputs_}) {
+            for (const ProbeColumn& column : *columns) {
+                table_.Cell() = column.name;
+            }
+        }
+        table_.EndRow();
+    }
+
     void Write(const std::string& device, const std::string& recipe, std::uint64_t first,
                std::uint32_t count, std::span<const std::uint32_t> words) {
+        if (!has_header_) {
+            Header();
+            has_header_ = true;
+        }
         for (std::uint32_t row = 0; row < count; ++row) {
             table_.Cell() = device;
             table_.Cell() = recipe;
@@ -252,6 +256,7 @@ class Probe {
     std::ostream& notes_;
     std::vector<ProbeColumn> inputs_;
     std::vector<ProbeColumn> outputs_;
+    bool has_header_ = false;
     int ran_ = 0;
     int failed_ = 0;
 };
@@ -268,7 +273,6 @@ Result<int> RunProbe(const ProbeChoice& choice, std::ostream& out, std::ostream&
     ETALON_TRY(devices, OpenDevices(choice.devices));
     TableWriter table(choice.csv, out);
     Probe probe(request, table, notes);
-    probe.Header();
     for (const auto& session : devices.sessions) {
         const std::vector<Recipe> wanted =
             recipes.empty() ? std::vector<Recipe>{DefaultRecipe(session->info())} : recipes;

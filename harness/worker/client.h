@@ -23,7 +23,7 @@ namespace etalon {
 
 struct WorkerLimits {
     std::chrono::milliseconds timeout{10'000};  // of one Open, Load or Run
-    std::uint64_t memory_bytes = 4ull << 30;    // resident, beyond which a worker is ended
+    std::uint64_t memory_bytes = 2ull << 30;    // resident, beyond which a worker is ended
 };
 
 // Why a request has no answer.
