@@ -17,8 +17,9 @@ namespace etalon {
 // What one output of the call (or one law) must meet.
 struct Expectation {
     std::string output;  // "result" or the name of an out parameter
-    Expression truth;    // over the inputs
+    Expression truth;    // over the inputs, bound to the first domain's in their order
     Acceptance accept;
+    int line = 0;  // of the acceptance
 };
 
 enum class Relation : std::uint8_t { kEqual, kLessEqual, kGreaterEqual, kLess, kGreater };
@@ -66,7 +67,12 @@ struct Case {
 };
 
 // Reads one case. `path` is its address below cases/, without ".toml". Errors name file and line.
+// The file is cases/PATH.toml below the root; its keys are described in case.cc.
 Result<Case> ReadCase(const std::filesystem::path& root, const std::string& path);
+
+// Fails where an acceptance could refuse nothing: at every row of the expanded domain each of 0,
+// -truth, 2 truth and truth + 1 would pass; or where there is no truth at any row.
+Status<> CheckAcceptance(const Case& checked, const Table& table);
 
 // The addresses of all cases under root/cases, sorted. Fails where the folder is missing.
 Result<std::vector<std::string>> ListCases(const std::filesystem::path& root);

@@ -22,7 +22,7 @@ struct Input {
     std::optional<std::pair<double, double>> range;
     std::string sample;   // "bits" (default for a range), "linear", "log", "sphere", "hemisphere"
     std::string against;  // hemisphere: the vector that this one opposes, dot <= 0
-    std::uint64_t count = 0;         // samples beside edges
+    std::uint64_t count = 0;         // samples beside edges, ends and other special values
     std::vector<Expression> edges;   // both sides of each boundary, over the other inputs
     std::optional<Expression> expr;  // computed from the other inputs, rounded to the type
     int line = 0;
@@ -34,6 +34,9 @@ struct Domain {
     std::optional<Expression> where;  // rows for which this is false are left out
     int line = 0;
 };
+
+// Names that expressions give a meaning of their own: no input may bear them.
+bool IsReservedName(const std::string& name);
 
 // A scalar column of a table of rows: "v.x" of type float.
 struct Column {
@@ -61,13 +64,29 @@ struct Table {
     }
 };
 
-// All rows of the domains, one after the other; they must have the same variables. An empty result
-// is an error, so is one of more than 2^24 rows. The seed decides every random choice.
+// All rows of the domains, one after the other; they must have the same variables (their order is
+// the first domain's). An empty result is an error, so is one of more than 2^24 rows. The seed
+// decides every random choice. Errors begin with "file:line: ".
+//
+// Every combination: nested loops in the order of the inputs, the first outermost; an input that
+// depends on others stands inside them. A range has `count` samples, one per stratum, and the
+// landmarks of its spacing (see sampling.h), ascending; a sphere its axes, a hemisphere the normal
+// and three nearly grazing directions before the samples.
+// Side by side (zip): a range or sphere has exactly `count` values in random order; a list of one
+// value stands beside every row; edges cannot be had.
+// A vector's range draws each component by itself, `count` values in all.
 Result<Table> Expand(const std::vector<Domain>& domains, std::uint64_t seed,
                      const std::string& file);
 
 // The columns of a variable of a basic GLSL type: "v.x", "v.y"; "m[0].x" (column 0, row x) for
 // matrices; itself for a scalar. Fails for a type that is not scalar, vector or matrix.
 Result<std::vector<Column>> ColumnsOf(const std::string& name, const std::string& type);
+
+// The variables as an expression sees them: Expression::Bind(Symbols(...)) fits the columns below.
+std::vector<Symbol> Symbols(const std::vector<Variable>& variables);
+
+// Rows first ... first + rows - 1 of all columns as numbers, for Expression::Evaluate.
+std::vector<std::vector<double>> Numbers(const Table& table, std::uint64_t first,
+                                         std::uint64_t rows);
 
 }  // namespace etalon

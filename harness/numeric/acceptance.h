@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "numeric/number_text.h"
@@ -30,17 +31,55 @@ struct Judgement {
     double used = 0;       // share of the tolerance used: error / tolerance; 0 exact, > 1 refused
 };
 
-// The widest tolerance that the rule grants at this truth, in absolute terms; 0 for an exact rule.
+// The widest tolerance that the rule grants at this truth, in absolute terms; 0 for an exact rule,
+// and for a truth that is not finite.
 double Tolerance(const Acceptance& rule, double truth);
 
 // Judges a float. `truth_error` is the oracle's own bound at this truth; it widens the tolerance,
-// so that no device is blamed for the oracle. A NaN result is never accepted for a truth that is a
-// number; an infinite one only for an infinite truth, or where the tolerance reaches past the
-// largest float.
+// so that no device is blamed for the oracle.
+//
+// - A NaN result is accepted only for a truth that is NaN (the quantity has no value there), and
+//   then nothing else is. A truth that is infinite accepts that infinity alone.
+// - Where truth and tolerance reach past the largest float, the infinity of that sign and the
+//   largest float are accepted; their error is what the largest float lacks to the truth.
+// - With `flush` a zero of either sign stands for every subnormal: its error is the truth's
+// distance
+//   from the nearest value below 2^-126 in magnitude.
+// - An exact rule accepts the truth rounded to nearest, for any truth within `truth_error`; `used`
+//   is then 0 or infinity.
 Judgement Judge(const Acceptance& rule, float value, double truth, double truth_error);
 
-// The reason why nothing could fail under this rule at this truth, if so: each of 0, -truth, 2
-// truth and truth + 1 that differs from the truth would be accepted.
-bool IsBlind(const Acceptance& rule, double truth);
+// True where nothing could fail under this rule at this truth: each of 0, -truth, 2 truth and
+// truth + 1 that differs from the truth would be accepted.
+bool IsBlind(const Acceptance& rule, double truth, double truth_error = 0);
+
+// What many judged results are worth together.
+struct Summary {
+    static constexpr std::uint64_t kNone = ~std::uint64_t{0};
+
+    std::uint64_t judged = 0;
+    std::uint64_t refused = 0;
+    std::uint64_t first_refused = kNone;  // index
+    double worst_ulp_error = 0;
+    std::uint64_t worst_ulp_at = kNone;  // the first index of the worst; kNone where all are exact
+    double worst_used = 0;
+    std::uint64_t worst_used_at = kNone;
+
+    void Add(std::uint64_t index, const Judgement& judgement);
+    // Keeps the worst only, without counting.
+    void Compare(std::uint64_t index, const Judgement& judgement);
+};
+
+// Judges values[i] against truths[i] under the index first + i, as Judge would, and adds to the
+// summary. The truths' own errors are one bound each (as many as truths), or the relative and
+// absolute bound of their oracle.
+void JudgeAll(const Acceptance& rule, std::span<const float> values, std::span<const double> truths,
+              std::span<const double> truth_errors, std::uint64_t first, Summary& summary);
+void JudgeAll(const Acceptance& rule, std::span<const float> values, std::span<const double> truths,
+              double relative_bound, double absolute_bound, std::uint64_t first, Summary& summary);
+
+// The bound on |truth - exact| of a truth whose oracle states its bounds relative to the exact
+// value; 0 where the truth is not finite.
+double TruthError(double truth, double relative_bound, double absolute_bound);
 
 }  // namespace etalon

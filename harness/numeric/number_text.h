@@ -29,6 +29,9 @@ std::string WordText(Scalar scalar, std::uint32_t word);
 // As WordText, appended: the fast door for tables.
 void AppendWord(std::string& text, Scalar scalar, std::uint32_t word);
 
+// The number that a word stands for; a bool is 0 or 1.
+double WordValue(Scalar scalar, std::uint32_t word);
+
 std::string HexFloat(float value);  // "0x1.8p-3", "-0x0p+0", "nan", "inf"
 std::string HexFloat(double value);
 std::string Shortest(double value);  // shortest decimal of a binary64

@@ -1,0 +1,294 @@
+#include "case/case.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/file.h"
+#include "case/read_domain.h"
+#include "case/read_judgement.h"
+#include "case/toml_reader.h"
+
+// The keys of a case:
+//
+//   description, source, call, family, seed, with, include, define, out, recipes
+//   oracle            an expression, or one by output: { result = "...", t = "..." }
+//   accept            { exact = true } or any of ulp, absolute, relative, and flush = false; or by
+//                     output
+//   combine, where    for all domains
+//   [domain]          inputs by name, combine, where; or several [[domain]]
+//   [[law]]           name, holds, within
+//   [[expected_failure]]  device, recipe, law, status, cause, link
+
+namespace etalon {
+namespace {
+
+std::string FileName(const std::string& path) {
+    return "cases/" + path + ".toml";
+}
+
+class CaseReader {
+  public:
+    CaseReader(const TomlReader& reader, const toml::table& table)
+        : reader_(reader), table_(table) {}
+
+    Result<Case> Read() {
+        ETALON_TRY_STEP(
+            reader_.OnlyKeys(table_, {"description", "source", "call", "oracle", "accept", "family",
+                                      "seed", "combine", "where", "recipes", "with", "include",
+                                      "define", "out", "domain", "law", "expected_failure"}));
+        ETALON_TRY_STEP(ReadCall());
+        ETALON_TRY_STEP(ReadDomains());
+        ETALON_TRY_STEP(ReadExpectations());
+        ETALON_TRY_STEP(ReadLaws());
+        if (case_.expectations.empty() && case_.laws.empty()) {
+            return reader_.Fail(1, "nothing is judged: give an oracle or a law");
+        }
+        ETALON_TRY(failures, Tables("expected_failure"));
+        for (const toml::table* failure : failures) {
+            ETALON_TRY(expected, ReadExpectedFailure(reader_, *failure, case_.laws));
+            case_.expected_failures.push_back(expected);
+        }
+        return std::move(case_);
+    }
+
+  private:
+    Status<> ReadCall() {
+        ETALON_TRY(description, reader_.TextAt(table_, "description", ""));
+        ETALON_TRY(source, reader_.TextAt(table_, "source", std::nullopt));
+        ETALON_TRY(call, reader_.TextAt(table_, "call", std::nullopt));
+        ETALON_TRY(family, reader_.TextAt(table_, "family", ""));
+        case_.description = description;
+        case_.source = source;
+        case_.call = call;
+        case_.family = family;
+        const std::pair<const char*, std::vector<std::string>*> lists[] = {
+            {"recipes", &case_.recipes}, {"with", &case_.with}, {"include", &case_.include}};
+        for (const auto& [key, list] : lists) {
+            if (const toml::node* node = table_.get(key)) {
+                ETALON_TRY(texts, reader_.Texts(*node, "'" + std::string(key) + "'"));
+                *list = texts;
+            }
+        }
+        const std::pair<const char*, std::map<std::string, std::string>*> maps[] = {
+            {"define", &case_.define}, {"out", &case_.out}};
+        for (const auto& [key, map] : maps) {
+            if (const toml::node* node = table_.get(key)) {
+                ETALON_TRY(texts, reader_.TextMap(*node, "'" + std::string(key) + "'"));
+                *map = texts;
+            }
+        }
+        for (const auto& [name, type] : case_.out) {
+            if (auto columns = ColumnsOf(name, type); !columns) {
+                return reader_.Fail(*table_.get("out"), "'out': " + columns.error().message);
+            }
+        }
+        if (const toml::node* node = table_.get("seed")) {
+            ETALON_TRY(seed, reader_.Count(*node, "'seed'"));
+            case_.seed = seed;
+        }
+        return Ok();
+    }
+
+    // The tables under a key that may hold one or a list of them.
+    Result<std::vector<const toml::table*>> Tables(const char* key) const {
+        std::vector<const toml::table*> tables;
+        const toml::node* node = table_.get(key);
+        if (node == nullptr) {
+            return tables;
+        }
+        if (const toml::table* one = node->as_table()) {
+            tables.push_back(one);
+            return tables;
+        }
+        const std::string what = "'" + std::string(key) + "'";
+        ETALON_TRY(list, reader_.List(*node, what));
+        for (const toml::node& entry : *list) {
+            ETALON_TRY(table, reader_.Table(entry, what));
+            tables.push_back(table);
+        }
+        return tables;
+    }
+
+    Status<> ReadDomains() {
+        DomainDefaults defaults;
+        if (const toml::node* node = table_.get("combine")) {
+            ETALON_TRY(zip, ReadCombine(reader_, *node));
+            defaults.zip = zip;
+        }
+        defaults.where = table_.get("where");
+        ETALON_TRY(tables, Tables("domain"));
+        if (tables.empty()) {
+            return reader_.Fail(1, "[domain] is missing");
+        }
+        for (const toml::table* table : tables) {
+            ETALON_TRY(domain, ReadDomain(reader_, *table, defaults));
+            case_.domains.push_back(domain);
+        }
+        return Ok();
+    }
+
+    Status<> ReadExpectations() {
+        const toml::node* oracle = table_.get("oracle");
+        const toml::node* accept = table_.get("accept");
+        if (oracle == nullptr) {
+            return accept == nullptr ? Status<>(Ok())
+                                     : reader_.Fail(*accept, "'accept' needs an 'oracle'");
+        }
+        if (accept == nullptr) {
+            return reader_.Fail(*oracle, "'accept' is missing: an oracle needs it");
+        }
+        ETALON_TRY(rules, reader_.Table(*accept, "'accept'"));
+        if (const toml::table* outputs = oracle->as_table()) {
+            if (outputs->empty()) {
+                return reader_.Fail(*oracle, "'oracle' is empty");
+            }
+            for (const auto& [output, node] : TomlReader::InOrder(*outputs)) {
+                ETALON_TRY_STEP(ReadExpectation(output, *node, *rules));
+            }
+        } else {
+            ETALON_TRY_STEP(ReadExpectation("result", *oracle, *rules));
+        }
+        for (const auto& [output, node] : TomlReader::InOrder(*rules)) {
+            const bool judged = std::any_of(
+                case_.expectations.begin(), case_.expectations.end(),
+                [&output = output](const Expectation& one) { return one.output == output; });
+            if (node->is_table() && !judged) {
+                return reader_.Fail(*node,
+                                    "'accept' for '" + output + "' needs an 'oracle' for it");
+            }
+        }
+        return Ok();
+    }
+
+    Status<> ReadExpectation(const std::string& output, const toml::node& node,
+                             const toml::table& rules) {
+        if (output != "result" && !case_.out.contains(output)) {
+            return reader_.Fail(node, "'oracle': there is no output '" + output +
+                                          "'; 'out' names the out parameters");
+        }
+        Expectation expectation;
+        expectation.output = output;
+        ETALON_TRY(truth, reader_.Formula(node, "'oracle'"));
+        const auto bound = truth.Bind(SymbolsOf(case_.domains.front()));
+        if (!bound) {
+            return reader_.FailInside(node, bound.error());
+        }
+        expectation.truth = truth;
+        if (case_.out.contains(output)) {
+            const auto columns = ColumnsOf(output, case_.out.at(output))->size();
+            if (columns != *bound) {
+                return reader_.Fail(node, "'oracle' for '" + output + "' has " +
+                                              std::to_string(*bound) + " components, not " +
+                                              std::to_string(columns));
+            }
+        }
+        const bool by_output = std::any_of(
+            rules.begin(), rules.end(), [](const auto& entry) { return entry.second.is_table(); });
+        const toml::table* rule = &rules;
+        if (by_output) {
+            const toml::node* own = rules.get(output);
+            if (own == nullptr) {
+                return reader_.Fail(rules, "'accept' for '" + output + "' is missing");
+            }
+            ETALON_TRY(table, reader_.Table(*own, "'accept' for '" + output + "'"));
+            rule = table;
+        }
+        ETALON_TRY(accept, ReadAcceptance(reader_, *rule));
+        expectation.accept = accept;
+        expectation.line = TomlReader::Line(*rule);
+        case_.expectations.push_back(std::move(expectation));
+        return Ok();
+    }
+
+    Status<> ReadLaws() {
+        ETALON_TRY(tables, Tables("law"));
+        for (const toml::table* table : tables) {
+            ETALON_TRY(law, ReadLaw(reader_, *table));
+            for (const Law& other : case_.laws) {
+                if (other.name == law.name) {
+                    return reader_.Fail(*table, "two laws are called '" + law.name + "'");
+                }
+            }
+            case_.laws.push_back(law);
+        }
+        return Ok();
+    }
+
+    const TomlReader& reader_;
+    const toml::table& table_;
+    Case case_;
+};
+
+}  // namespace
+
+Result<Case> ReadCase(const std::filesystem::path& root, const std::string& path) {
+    const std::filesystem::path file = root / FileName(path);
+    ETALON_TRY(text, ReadTextFile(file));
+    const TomlReader reader(FileName(path));
+    ETALON_TRY(table, reader.Parse(text));
+    ETALON_TRY(read, CaseReader(reader, table).Read());
+    read.path = path;
+    read.file = file;
+    read.root = root;
+    return std::move(read);
+}
+
+Status<> CheckAcceptance(const Case& checked, const Table& table) {
+    constexpr std::uint64_t kBlock = 1024;
+    for (const Expectation& expectation : checked.expectations) {
+        Expression truth = expectation.truth;
+        const std::string where =
+            FileName(checked.path) + ":" + std::to_string(expectation.line) + ": ";
+        if (auto bound = truth.Bind(Symbols(table.variables)); !bound) {
+            return Error{where + bound.error().message};
+        }
+        bool can_fail = false;
+        bool has_truth = false;
+        std::vector<Expression::Value> values;
+        for (std::uint64_t first = 0; first < table.rows && !can_fail; first += kBlock) {
+            const std::uint64_t rows = std::min(kBlock, table.rows - first);
+            const auto numbers = Numbers(table, first, rows);
+            std::vector<const double*> columns;
+            for (const auto& column : numbers) {
+                columns.push_back(column.data());
+            }
+            truth.Evaluate(columns, rows, values);
+            for (const Expression::Value& value : values) {
+                const bool known = !std::isnan(value.value);
+                has_truth = has_truth || known;
+                can_fail = can_fail || (known && std::isfinite(value.error) &&
+                                        !IsBlind(expectation.accept, value.value, value.error));
+            }
+        }
+        if (!has_truth) {
+            return Error{where + "the oracle for '" + expectation.output +
+                         "' has no value at any of " + std::to_string(table.rows) + " rows"};
+        }
+        if (!can_fail) {
+            return Error{where + "nothing could fail: " + expectation.accept.Text() +
+                         " accepts 0, -truth, 2 truth and truth + 1 at all of " +
+                         std::to_string(table.rows) + " rows"};
+        }
+    }
+    return Ok();
+}
+
+Result<std::vector<std::string>> ListCases(const std::filesystem::path& root) {
+    const std::filesystem::path folder = root / "cases";
+    std::error_code code;
+    std::filesystem::recursive_directory_iterator at(folder, code);
+    std::vector<std::string> paths;
+    for (; !code && at != std::filesystem::recursive_directory_iterator(); at.increment(code)) {
+        if (at->is_regular_file() && at->path().extension() == ".toml") {
+            paths.push_back(
+                at->path().lexically_relative(folder).replace_extension().generic_string());
+        }
+    }
+    if (code) {
+        return Error{folder.string() + ": " + code.message()};
+    }
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+}  // namespace etalon

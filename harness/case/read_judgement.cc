@@ -1,0 +1,163 @@
+#include "case/read_judgement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/file.h"
+
+namespace etalon {
+namespace {
+
+std::string Trim(const std::string& text) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin == std::string::npos) {
+        return "";
+    }
+    return text.substr(begin, text.find_last_not_of(" \t\r\n") + 1 - begin);
+}
+
+}  // namespace
+
+Result<Acceptance> ReadAcceptance(const TomlReader& reader, const toml::table& table) {
+    ETALON_TRY_STEP(reader.OnlyKeys(table, {"exact", "ulp", "absolute", "relative", "flush"}));
+    Acceptance rule;
+    const std::pair<const char*, std::optional<double>*> tolerances[] = {
+        {"ulp", &rule.ulp}, {"absolute", &rule.absolute}, {"relative", &rule.relative}};
+    bool tolerant = false;
+    for (const auto& [key, tolerance] : tolerances) {
+        const toml::node* node = table.get(key);
+        if (node == nullptr) {
+            continue;
+        }
+        const std::string what = "'" + std::string(key) + "'";
+        if (!node->is_number()) {
+            return reader.Fail(*node, what + " must be a number");
+        }
+        ETALON_TRY(number, reader.Number(*node, what));
+        if (!(number > 0) || std::isinf(number)) {
+            return reader.Fail(*node,
+                               what + " must be a positive number (exact = true grants none)");
+        }
+        *tolerance = number;
+        tolerant = true;
+    }
+    if (rule.ulp && *rule.ulp >= 0x1p23) {
+        return reader.Fail(*table.get("ulp"), "nothing could fail: 2^23 ulp reach to zero");
+    }
+    if (rule.relative && *rule.relative >= 1) {
+        return reader.Fail(*table.get("relative"),
+                           "nothing could fail: relative 1 reaches to zero");
+    }
+    if (const toml::node* node = table.get("flush")) {
+        ETALON_TRY(flush, reader.Flag(*node, "'flush'"));
+        rule.flush = flush;
+    }
+    bool exact = false;
+    if (const toml::node* node = table.get("exact")) {
+        ETALON_TRY(flag, reader.Flag(*node, "'exact'"));
+        exact = flag;
+    }
+    if (exact == tolerant) {
+        return reader.Fail(table, exact ? "'exact' and a tolerance contradict each other"
+                                        : "the acceptance grants nothing: give ulp, absolute, "
+                                          "relative, or exact = true");
+    }
+    return rule;
+}
+
+Result<Comparison> SplitComparison(const std::string& holds) {
+    constexpr std::pair<std::string_view, Relation> kRelations[] = {{"==", Relation::kEqual},
+                                                                    {"<=", Relation::kLessEqual},
+                                                                    {">=", Relation::kGreaterEqual},
+                                                                    {"<", Relation::kLess},
+                                                                    {">", Relation::kGreater}};
+    constexpr std::string_view kOthers[] = {"!=", "&&", "||", "?", ";"};
+    std::optional<Comparison> found;
+    int depth = 0;
+    for (std::size_t at = 0; at < holds.size(); ++at) {
+        const std::string_view rest = std::string_view(holds).substr(at);
+        depth += holds[at] == '(' || holds[at] == '[' ? 1 : 0;
+        depth -= holds[at] == ')' || holds[at] == ']' ? 1 : 0;
+        if (depth < 0) {
+            return Error{"a bracket is closed that was not opened"};
+        }
+        if (depth > 0) {
+            continue;
+        }
+        if (rest.starts_with("<<") || rest.starts_with(">>")) {
+            ++at;
+            continue;
+        }
+        for (const std::string_view other : kOthers) {
+            if (rest.starts_with(other)) {
+                return Error{"'" + std::string(other) +
+                             "' must stand in brackets; a law is one comparison"};
+            }
+        }
+        for (const auto& [sign, relation] : kRelations) {
+            if (!rest.starts_with(sign)) {
+                continue;
+            }
+            if (found) {
+                return Error{"more than one comparison stands outside brackets"};
+            }
+            found = Comparison{Trim(holds.substr(0, at)), relation,
+                               Trim(holds.substr(at + sign.size()))};
+            at += sign.size() - 1;
+            break;
+        }
+    }
+    if (depth != 0) {
+        return Error{"a bracket is not closed"};
+    }
+    if (!found) {
+        return Error{"a comparison (==, <=, >=, < or >) is missing"};
+    }
+    if (found->left.empty() || found->right.empty()) {
+        return Error{"a side of the comparison is missing"};
+    }
+    return *found;
+}
+
+Result<Law> ReadLaw(const TomlReader& reader, const toml::table& table) {
+    ETALON_TRY_STEP(reader.OnlyKeys(table, {"name", "holds", "within"}));
+    Law law;
+    ETALON_TRY(name, reader.TextAt(table, "name", std::nullopt));
+    ETALON_TRY(holds, reader.TextAt(table, "holds", std::nullopt));
+    law.name = name;
+    const auto comparison = SplitComparison(holds);
+    if (!comparison) {
+        return reader.Fail(*table.get("holds"), "'holds': " + comparison.error().message);
+    }
+    law.left = comparison->left;
+    law.relation = comparison->relation;
+    law.right = comparison->right;
+    if (const toml::node* node = table.get("within")) {
+        ETALON_TRY(within, reader.Table(*node, "'within'"));
+        ETALON_TRY(rule, ReadAcceptance(reader, *within));
+        law.within = rule;
+    }
+    return law;
+}
+
+Result<ExpectedFailure> ReadExpectedFailure(const TomlReader& reader, const toml::table& table,
+                                            const std::vector<Law>& laws) {
+    ETALON_TRY_STEP(reader.OnlyKeys(table, {"device", "recipe", "law", "status", "cause", "link"}));
+    ETALON_TRY(device, reader.TextAt(table, "device", std::nullopt));
+    ETALON_TRY(recipe, reader.TextAt(table, "recipe", "*"));
+    ETALON_TRY(law, reader.TextAt(table, "law", ""));
+    ETALON_TRY(status, reader.TextAt(table, "status", std::nullopt));
+    ETALON_TRY(cause, reader.TextAt(table, "cause", std::nullopt));
+    ETALON_TRY(link, reader.TextAt(table, "link", ""));
+    if (status != "bug" && status != "method" && status != "unimplemented") {
+        return reader.Fail(*table.get("status"), "'status' must be bug, method or unimplemented");
+    }
+    const bool known = std::any_of(laws.begin(), laws.end(),
+                                   [&law](const Law& one) { return GlobMatches(law, one.name); });
+    if (!law.empty() && !known) {
+        return reader.Fail(*table.get("law"), "no law is called '" + law + "'");
+    }
+    return ExpectedFailure{device, recipe, law, status, cause, link};
+}
+
+}  // namespace etalon
