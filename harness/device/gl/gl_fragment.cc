@@ -38,10 +38,7 @@ class FragmentProgram final : public GlProgram {
           first_(gl_.GetUniformLocation(object, "etalon_first")) {
         gl_.UseProgram(object_);
         gl_.Uniform1i(gl_.GetUniformLocation(object, "etalon_inputs"), kInputsUnit);
-        for (std::size_t i = 0; i < program.images.size(); ++i) {
-            gl_.Uniform1i(gl_.GetUniformLocation(object, program.images[i].name.c_str()),
-                          static_cast<GLint>(kFirstImageBinding + i));
-        }
+        GlImages::NameSamplers(gl_, object, program.images);
         const std::uint32_t texture_size = targets.limits_.texture_size;
         // Baked-in inputs are chosen by the row, so that their rows cannot be split.
         const std::uint32_t lines =

@@ -42,6 +42,15 @@ DeviceResult<GlImages> GlImages::Upload(const GlFunctions& gl, const GlLimits& l
     return uploaded;
 }
 
+void GlImages::NameSamplers(const GlFunctions& gl, GLuint program,
+                            const std::vector<BoundImage>& images) {
+    gl.UseProgram(program);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        gl.Uniform1i(gl.GetUniformLocation(program, images[i].name.c_str()),
+                     static_cast<GLint>(kFirstImageBinding + i));
+    }
+}
+
 void GlImages::Bind(const GlFunctions& gl) const {
     for (std::size_t i = 0; i < textures_.size(); ++i) {
         gl.ActiveTexture(GL_TEXTURE0 + kFirstImageBinding + static_cast<GLenum>(i));

@@ -16,6 +16,11 @@ class GlImages {
     static DeviceResult<GlImages> Upload(const GlFunctions& gl, const GlLimits& limits,
                                          const std::vector<BoundImage>& images);
 
+    // Points the samplers of GLSL text, which are known by their names, at the images' units.
+    // SPIR-V has bindings.
+    static void NameSamplers(const GlFunctions& gl, GLuint program,
+                             const std::vector<BoundImage>& images);
+
     void Bind(const GlFunctions& gl) const;
 
   private:

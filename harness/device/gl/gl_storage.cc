@@ -48,6 +48,9 @@ class StorageProgram final : public GlProgram {
         } else {
             object_ = object;
         }
+        if (program.form == Form::kGlsl) {
+            GlImages::NameSamplers(gl_, object, program.images);
+        }
         const GlLimits& limits = storage_.limits_;
         const std::uint64_t by_shape = stage_ == Stage::kFragment
                                            ? std::uint64_t{limits.texture_size} * kFragmentWidth

@@ -275,6 +275,8 @@ TEST_P(GlDeviceTest, ImagesAreFilteredAndWrapped) {
         std::vector<Way> ways = {
             {"fragment text", TextProgram(named, Stage::kFragment, device.info().glsl_version)}};
         if (device.info().Has("compute")) {
+            ways.push_back({"compute text, samplers by name",
+                            TextProgram(named, Stage::kCompute, device.info().glsl_version)});
             for (const Way& way : Ways(device.info(), bound)) {
                 ways.push_back(way);
             }
