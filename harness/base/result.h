@@ -65,11 +65,12 @@ inline Nothing Ok() {
 // value.
 #define ETALON_CONCAT_(a, b) a##b
 #define ETALON_CONCAT(a, b) ETALON_CONCAT_(a, b)
-#define ETALON_TRY(name, expression)                      \
-    auto ETALON_CONCAT(result_, __LINE__) = (expression); \
-    if (!ETALON_CONCAT(result_, __LINE__)) {              \
-        return ETALON_CONCAT(result_, __LINE__).error();  \
-    }                                                     \
+#define ETALON_TRY(name, expression)                                                           \
+    auto ETALON_CONCAT(result_, __LINE__) = (expression);                                      \
+    if (!ETALON_CONCAT(result_, __LINE__)) {                                                   \
+        return ETALON_CONCAT(result_, __LINE__).error();                                       \
+    }                                                                                          \
+    /* NOLINTNEXTLINE(bugprone-macro-parentheses): a declarator cannot stand in parentheses */ \
     auto& name = *ETALON_CONCAT(result_, __LINE__)
 
 // As above for a step without a value.

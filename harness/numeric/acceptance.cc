@@ -107,11 +107,12 @@ BlockMaxima Scan(const Grant& given, const float* values, const double* truths, 
             const double truth = truths[row + lane];
             const double magnitude = std::fabs(truth);
             const double truth_error = error_at(row + lane, magnitude);
-            double binade = magnitude > 0x1p-126 ? magnitude : 0x1p-126;
-            binade = binade < 0x1p127 ? binade : 0x1p127;
-            const double unit =
-                std::bit_cast<double>((std::bit_cast<std::uint64_t>(binade) & 0x7ff0000000000000u) -
-                                      (std::uint64_t{23} << 52));
+            // Ulp(), in a form that vectorises.
+            double bounded = magnitude > 0x1p-125 ? magnitude : 0x1p-125;
+            bounded = bounded < 0x1.fffffep127 ? bounded : 0x1.fffffep127;
+            const double unit = std::bit_cast<double>(
+                ((std::bit_cast<std::uint64_t>(bounded) - 1) & 0x7ff0000000000000u) -
+                (std::uint64_t{23} << 52));
             const double plain = std::fabs(value - truth);
             poison[lane] += plain * 0;
             const double less = plain - (value == 0 ? grant.flushed : 0);

@@ -8,15 +8,16 @@
 
 namespace etalon {
 
-// Distance of the two finite floats nearest around `x` (a <= x <= b, a != b); `x` need not be a
-// float. At a power of two it is the distance to the larger neighbour in magnitude; 2^-149 below
-// 2^-126 and at zero; beyond the largest float, and for infinities, 2^104. NaN for NaN.
+// The least distance of two different finite floats a <= x <= b; `x` need not be a float. At a power
+// of two it is the distance to the neighbour of smaller magnitude, half of the other one; 2^-149 up
+// to 2^-125 and at zero; beyond the largest float, and for infinities, 2^104. NaN for NaN.
 inline double Ulp(double x) {
     if (x != x) {
         return x;
     }
-    const double binade = std::clamp(std::fabs(x), 0x1p-126, 0x1p127);
-    const std::uint64_t power = std::bit_cast<std::uint64_t>(binade) & 0x7ff0000000000000u;
+    const double magnitude = std::clamp(std::fabs(x), 0x1p-125, 0x1.fffffep127);
+    // One bit less leaves a power of two in the binade below it, and all else where it is.
+    const std::uint64_t power = (std::bit_cast<std::uint64_t>(magnitude) - 1) & 0x7ff0000000000000u;
     return std::bit_cast<double>(power - (std::uint64_t{23} << 52));
 }
 

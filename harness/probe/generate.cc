@@ -136,7 +136,7 @@ std::string FromWord(Scalar scalar, const std::string& word) {
 // A literal of exactly this value. 17 digits of the binary64 leave no double rounding to the
 // compiler.
 std::string Literal(Scalar scalar, std::uint32_t word) {
-    const std::string bits = std::to_string(word) + "u";
+    std::string bits = std::to_string(word) + "u";
     switch (scalar) {
         case Scalar::kFloat: {
             const float value = std::bit_cast<float>(word);
@@ -292,7 +292,7 @@ void StorageMain(RowWriter rows, const Recipe& recipe,
 void TargetMain(RowWriter rows, const Recipe& recipe, std::uint32_t output_words,
                 std::span<const std::vector<std::uint32_t>> baked, Text& out) {
     const std::size_t targets = (std::min(output_words, kTargetWords) + 3) / 4;
-    const std::size_t padded = (output_words + 3) / 4 * 4;
+    const std::size_t padded = (std::size_t{output_words} + 3) / 4 * 4;
     out << "uniform highp usampler2D etalon_inputs;\nuniform int etalon_lines;\n"
            "uniform int etalon_rows;\nuniform int etalon_first;\n";
     for (std::size_t i = 0; i < targets; ++i) {

@@ -2,17 +2,27 @@
 
 #include <stb/stb_image.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "base/file.h"
 
 namespace etalon {
+namespace {
+
+constexpr int kChannels = 4;
+
+std::size_t Values(int width, int height) {
+    return std::size_t{kChannels} * static_cast<std::size_t>(width) *
+           static_cast<std::size_t>(height);
+}
+
+}  // namespace
 
 Result<Image> ReadImage(const std::filesystem::path& path) {
     ETALON_TRY(bytes, ReadFile(path));
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
-    constexpr int kChannels = 4;
     int width = 0;
     int height = 0;
     int channels = 0;
@@ -22,16 +32,16 @@ Result<Image> ReadImage(const std::filesystem::path& path) {
             stbi_loadf_from_memory(data, size, &width, &height, &channels, kChannels),
             stbi_image_free);
         if (pixels != nullptr) {
-            image.rgba.assign(pixels.get(), pixels.get() + kChannels * width * height);
+            image.rgba.assign(pixels.get(), pixels.get() + Values(width, height));
         }
     } else {
         const std::unique_ptr<stbi_us, void (*)(void*)> pixels(
             stbi_load_16_from_memory(data, size, &width, &height, &channels, kChannels),
             stbi_image_free);
         if (pixels != nullptr) {
-            for (int i = 0; i < kChannels * width * height; ++i) {
-                image.rgba.push_back(static_cast<float>(pixels.get()[i]) / 65535.0f);
-            }
+            image.rgba.resize(Values(width, height));
+            std::transform(pixels.get(), pixels.get() + image.rgba.size(), image.rgba.begin(),
+                           [](stbi_us value) { return static_cast<float>(value) / 65535.0f; });
         }
     }
     if (image.rgba.empty()) {

@@ -59,6 +59,7 @@ void EvaluateAt(const Expression& expression, const Table& table, bool flush,
                 std::vector<double>& values, std::vector<double>& errors) {
     const std::vector<std::vector<double>> columns = Doubles(table, flush);
     std::vector<const double*> pointers;
+    pointers.reserve(columns.size());
     for (const std::vector<double>& column : columns) {
         pointers.push_back(column.data());
     }

@@ -20,11 +20,12 @@ TEST(Ulp, IsTheDistanceOfTheFloatsAround) {
     EXPECT_EQ(Ulp(1e-10), 0x1p-57);
 }
 
-TEST(Ulp, TakesTheLargerNeighbourAtABinadeEdge) {
-    EXPECT_EQ(Ulp(1.0), 0x1p-23);
+TEST(Ulp, TakesTheLesserDistanceAtABinadeEdge) {
+    EXPECT_EQ(Ulp(1.0), 0x1p-24);
     EXPECT_EQ(Ulp(std::nextafter(1.0, 0.0)), 0x1p-24);
     EXPECT_EQ(Ulp(0x1p-126), 0x1p-149);
-    EXPECT_EQ(Ulp(0x1p-125), 0x1p-148);
+    EXPECT_EQ(Ulp(0x1p-125), 0x1p-149);
+    EXPECT_EQ(Ulp(std::nextafter(0x1p-125, 1.0)), 0x1p-148);
     EXPECT_EQ(Ulp(std::nextafter(0x1p-125, 0.0)), 0x1p-149);
 }
 
@@ -32,7 +33,7 @@ TEST(Ulp, IsConstantBelowTheNormalAndBeyondTheLargestFloat) {
     for (const double x : {0.0, -0.0, 0x1p-149, 0x1p-200, 5e-324, 0x1.fp-127}) {
         EXPECT_EQ(Ulp(x), 0x1p-149) << x;
     }
-    for (const double x : {0x1p127, kLargest, kLargest * 2, 1e300, kInfinity, -kInfinity}) {
+    for (const double x : {0x1.000002p127, kLargest, kLargest * 2, 1e300, kInfinity, -kInfinity}) {
         EXPECT_EQ(Ulp(x), 0x1p104) << x;
     }
     EXPECT_TRUE(std::isnan(Ulp(kNan)));
@@ -42,19 +43,20 @@ TEST(Ulp, AgreesWithNextafterOnEveryBinade) {
     for (int exponent = -149; exponent < 127; ++exponent) {
         const float low = std::ldexp(1.0f, exponent);
         const float next = std::nextafter(low, std::numeric_limits<float>::infinity());
-        EXPECT_EQ(Ulp(low), static_cast<double>(next) - low) << exponent;
+        const float below = std::nextafter(low, 0.0f);
+        EXPECT_EQ(Ulp(low), low - static_cast<double>(below)) << exponent;
         EXPECT_EQ(Ulp(0.5 * (static_cast<double>(low) + next)), static_cast<double>(next) - low);
     }
 }
 
 TEST(UlpError, CountsFromTheTruth) {
     EXPECT_EQ(UlpError(1.0f, 1.0), 0);
-    EXPECT_EQ(UlpError(1.0f + 0x1p-23f, 1.0), 1);
-    EXPECT_EQ(UlpError(1.0f - 0x1p-24f, 1.0), 0.5);
+    EXPECT_EQ(UlpError(1.0f + 0x1p-23f, 1.0), 2);
+    EXPECT_EQ(UlpError(1.0f - 0x1p-24f, 1.0), 1);
     EXPECT_EQ(UlpError(1.0f, 1.0 + 0x1p-24), 0.5);
     EXPECT_EQ(UlpError(-0.0f, 0.0), 0);
     EXPECT_EQ(UlpError(0x1p-149f, 0.0), 1);
-    EXPECT_EQ(UlpError(-1.0f, 1.0), 0x1p24);
+    EXPECT_EQ(UlpError(-1.0f, 1.0), 0x1p25);
 }
 
 TEST(UlpError, OfWhatIsNotFinite) {
