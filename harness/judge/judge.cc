@@ -115,7 +115,10 @@ Judgement JudgeLaw(const Law& law, Scalar scalar, std::uint32_t left, std::uint3
         return Judgement{.accepted = true};
     }
     if (scalar != Scalar::kFloat) {
-        return JudgeExact(a, b);
+        Judgement broken = JudgeExact(a, b);
+        broken.accepted = false;
+        broken.used = std::numeric_limits<double>::infinity();
+        return broken;
     }
     Judgement judgement = Judge(law.within, static_cast<float>(a), b, 0);
     if (law.relation == Relation::kLess || law.relation == Relation::kGreater) {

@@ -23,10 +23,12 @@ Result<Recipe> ParseRecipe(std::string_view text) {
     const std::string whole(text);
     Recipe recipe;
     bool first = true;
-    while (first || !text.empty()) {
+    bool more = true;
+    while (more) {
         const std::size_t plus = text.find('+');
         const std::string_view word = text.substr(0, plus);
-        text = plus == std::string_view::npos ? std::string_view() : text.substr(plus + 1);
+        more = plus != std::string_view::npos;
+        text.remove_prefix(more ? plus + 1 : text.size());
         if (first && word == "spirv") {
             recipe.form = Form::kSpirv;
         } else if (first && word == "glsl") {

@@ -69,7 +69,7 @@ class CompileTest : public ::testing::Test {
     std::filesystem::path folder_;
 };
 
-constexpr Argument kX{"x", "float", true, false};
+const Argument kX{"x", "float", true, false};
 
 TEST_F(CompileTest, FindsTypesOfEveryKind) {
     const auto source = Write("types.glsl",

@@ -1,0 +1,31 @@
+#include "oracle/function.h"
+
+#include <algorithm>
+
+#include "oracle/absorption.h"
+#include "oracle/fresnel.h"
+#include "oracle/intensity.h"
+#include "oracle/plane.h"
+#include "oracle/snell.h"
+
+namespace etalon::oracle {
+
+const std::vector<Function>& Functions() {
+    static const std::vector<Function> functions = [] {
+        std::vector<Function> all;
+        for (const auto& part : {AbsorptionFunctions(), FresnelFunctions(), IntensityFunctions(),
+                                 PlaneFunctions(), SnellFunctions()}) {
+            all.insert(all.end(), part.begin(), part.end());
+        }
+        return all;
+    }();
+    return functions;
+}
+
+const Function* FindFunction(std::string_view name) {
+    const auto& functions = Functions();
+    const auto found = std::ranges::find(functions, name, &Function::name);
+    return found == functions.end() ? nullptr : &*found;
+}
+
+}  // namespace etalon::oracle
