@@ -4,10 +4,13 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 
 namespace etalon {
 namespace {
+
+constexpr std::uint64_t kMostBytes = 4ull << 30;
 
 Error Failure(const std::filesystem::path& path, int code) {
     return Error{path.string() + ": " + std::strerror(code)};
@@ -36,9 +39,7 @@ Status<> WriteWhole(const std::filesystem::path& path, std::string_view content,
     return Ok();
 }
 
-}  // namespace
-
-Result<std::string> ReadFile(const std::filesystem::path& path) {
+Result<std::string> ReadUntil(const std::filesystem::path& path, bool is_text) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) {
         return Error{path.string() + ": is a folder, not a file"};
@@ -59,20 +60,32 @@ Result<std::string> ReadFile(const std::filesystem::path& path) {
             close(file);
             return Failure(path, code);
         }
-        if (got > 0) {
-            content.append(block, static_cast<std::size_t>(got));
+        if (got <= 0) {
+            continue;
+        }
+        content.append(block, static_cast<std::size_t>(got));
+        // Found here and not at the end: an endless device has no end.
+        if (is_text && std::memchr(block, 0, static_cast<std::size_t>(got)) != nullptr) {
+            close(file);
+            return Error{path.string() + ": is not text (it holds a NUL byte)"};
+        }
+        if (content.size() > kMostBytes) {
+            close(file);
+            return Error{path.string() + ": is larger than 4 GiB"};
         }
     }
     close(file);
     return content;
 }
 
+}  // namespace
+
+Result<std::string> ReadFile(const std::filesystem::path& path) {
+    return ReadUntil(path, false);
+}
+
 Result<std::string> ReadTextFile(const std::filesystem::path& path) {
-    ETALON_TRY(content, ReadFile(path));
-    if (content.find('\0') != std::string::npos) {
-        return Error{path.string() + ": is not text (it holds a NUL byte)"};
-    }
-    return content;
+    return ReadUntil(path, true);
 }
 
 Status<> WriteFile(const std::filesystem::path& path, std::string_view content) {

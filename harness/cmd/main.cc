@@ -1,10 +1,13 @@
 // The program `etalon`: words of the command line, nothing else.
 
+#include <sys/resource.h>
+
 #include <CLI/CLI.hpp>
-#include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <new>
 #include <string_view>
 
 #include "base/file.h"
@@ -26,6 +29,19 @@ int Complain(const std::string& message) {
     return kBadInput;
 }
 
+// The compiler recurses over the source's expressions: a deep one needs a deep stack. The kernel
+// leaves room for it below the stack, so that raising the limit is enough. A file that grows beyond
+// a limit is an error, not the end.
+void PrepareProcess() {
+    constexpr rlim_t kStackBytes = 100u << 20;
+    rlimit limit{};
+    if (getrlimit(RLIMIT_STACK, &limit) == 0 && limit.rlim_cur < kStackBytes) {
+        limit.rlim_cur = std::min(limit.rlim_max, kStackBytes);
+        setrlimit(RLIMIT_STACK, &limit);
+    }
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
 // The exit status, unless what was printed could not be written.
 int Finish(int status) {
     std::cout.flush();
@@ -33,6 +49,19 @@ int Finish(int status) {
         return Complain("standard output: cannot be written");
     }
     return status;
+}
+
+// A number of these bounds; "nan" is in no bounds.
+CLI::Validator Within(double least, double most) {
+    return CLI::Validator(
+        [least, most](const std::string& text) -> std::string {
+            double value = 0;
+            const bool is_number = CLI::detail::lexical_cast(text, value);
+            return is_number && value >= least && value <= most
+                       ? ""
+                       : format("'{}' is not a number from {} to {}", text, least, most);
+        },
+        "");
 }
 
 // Options that several subcommands share.
@@ -56,24 +85,23 @@ struct DeviceOptions {
             ->allow_extra_args(false);
         app.add_option("--timeout", timeout, "seconds that a device may take for one step")
             ->capture_default_str()
-            ->check(CLI::PositiveNumber)
+            ->check(Within(0.001, 1e6))
             ->type_name("SECONDS");
         app.add_option("--memory", memory, "MiB that a device's process may occupy")
             ->capture_default_str()
-            ->check(CLI::PositiveNumber)
+            ->check(Within(1, 1e9))
             ->type_name("MIB");
     }
     Result<DeviceChoice> Choice() const {
         DeviceChoice choice;
         choice.patterns = patterns;
-        constexpr double kLongest = 1e6;
-        choice.limits.timeout = std::chrono::milliseconds(
-            static_cast<std::int64_t>(std::min(timeout, kLongest) * 1000));
+        choice.limits.timeout =
+            std::chrono::milliseconds(static_cast<std::int64_t>(timeout * 1000));
         choice.limits.memory_bytes = memory << 20;
         for (const std::string& driver : drivers) {
             const std::size_t equals = driver.find('=');
             if (equals == std::string::npos || equals == 0 ||
-                driver.find_first_of("@*?:,") < equals) {
+                driver.find_first_of("@*?:, ") < equals) {
                 return Error{"--driver '" + driver + "': it reads NAME=DIR"};
             }
             choice.drivers.push_back({driver.substr(0, equals), driver.substr(equals + 1)});
@@ -295,6 +323,11 @@ int main(int argc, char** argv) {
     if (argc > 1 && std::string_view(argv[1]) == "worker") {
         return etalon::ServeWorker(argc, argv);
     }
+    etalon::PrepareProcess();
     std::ios::sync_with_stdio(false);
-    return etalon::Finish(etalon::Main(std::vector<std::string>(argv + 1, argv + argc)));
+    try {
+        return etalon::Finish(etalon::Main(std::vector<std::string>(argv + 1, argv + argc)));
+    } catch (const std::bad_alloc&) {
+        return etalon::Complain("out of memory");
+    }
 }

@@ -18,6 +18,7 @@ namespace etalon {
 namespace {
 
 constexpr std::uint32_t kVersion = 450;
+constexpr std::size_t kMostWords = 4096;
 
 EShLanguage StageOf(Stage stage) {
     return stage == Stage::kCompute ? EShLangCompute : EShLangFragment;
@@ -80,7 +81,7 @@ class FrontEnd {
     }
 
     glslang::TShader& shader() { return shader_; }
-    Dialect dialect() const { return includer_.dialect(); }
+    const Dialect& dialect() const { return includer_.dialect(); }
 
   private:
     // glslang forgets the names of further strings after an #include in the first, hence one string
@@ -189,12 +190,16 @@ Result<std::vector<BoundImage>> BindImages(glslang::TProgram& program, const Cal
             continue;
         }
         const auto image = image_of(uniform.name);
-        const bool is_sampler = uniform.getType() != nullptr &&
-                                uniform.getType()->getBasicType() == glslang::EbtSampler;
-        if (!is_sampler) {
-            return Error{
-                call.source.string() + ": uniform '" + uniform.name +
-                "' has no value in a probe; make it a parameter, or define it with --with"};
+        const glslang::TType* type = uniform.getType();
+        if (type == nullptr || type->getBasicType() != glslang::EbtSampler) {
+            return Error{call.source.string() + ": uniform '" + uniform.name +
+                         "' has no value: a probe sets no uniforms; make it a parameter"};
+        }
+        const glslang::TSampler& sampler = type->getSampler();
+        if (sampler.dim != glslang::Esd2D || sampler.arrayed || sampler.shadow || sampler.ms ||
+            sampler.type != glslang::EbtFloat || !sampler.combined || type->isArray()) {
+            return Error{call.source.string() + ": '" + uniform.name + "' is no plain sampler2D, " +
+                         "and only that takes an image"};
         }
         if (image == call.images.end()) {
             return Error{call.source.string() + ": sampler '" + uniform.name +
@@ -212,7 +217,12 @@ Result<std::vector<BoundImage>> BindImages(glslang::TProgram& program, const Cal
         if (bound.size() <= static_cast<std::size_t>(binding)) {
             bound.resize(static_cast<std::size_t>(binding) + 1);
         }
-        bound[static_cast<std::size_t>(binding)] = *image;
+        BoundImage& place = bound[static_cast<std::size_t>(binding)];
+        if (place.image != nullptr) {
+            return Error{call.source.string() + ": samplers '" + place.name + "' and '" +
+                         uniform.name + "' have the same binding"};
+        }
+        place = *image;
     }
     for (BoundImage& image : bound) {
         if (image.image == nullptr) {
@@ -242,21 +252,31 @@ const glslang::TIntermSequence* InspectedStatements(TIntermNode* root) {
         glslang::TIntermAggregate* function = node->getAsAggregate();
         if (function != nullptr && function->getOp() == glslang::EOpFunction &&
             function->getName().rfind("etalon_inspect(", 0) == 0) {
-            return &function->getSequence().at(1)->getAsAggregate()->getSequence();
+            const glslang::TIntermSequence& parts = function->getSequence();
+            return parts.size() < 2 ? nullptr : &parts[1]->getAsAggregate()->getSequence();
         }
     }
     return nullptr;
 }
 
-Result<Signature> InspectIn(const Call& call, Stage stage, Dialect dialect) {
+// `seen` receives what is known of the sources, included files among them, whatever the outcome.
+Result<Signature> InspectIn(const Call& call, Stage stage, const Dialect& dialect, Dialect& seen) {
     FrontEnd front(call, stage, InspectionShader(call, dialect));
     front.AimAt(Target::Client::kVulkan);
     const std::uint32_t version =
         dialect.es ? kVersion : std::max(kVersion, std::min(dialect.version, 460u));
-    ETALON_TRY_STEP(front.Parse(version, Target::Client::kVulkan));
+    const Status<> parsed = front.Parse(version, Target::Client::kVulkan);
+    seen = front.dialect();
+    if (!parsed) {
+        return parsed.error();
+    }
     glslang::TProgram program;
-    ETALON_TRY_STEP(Link(front, program, call, Target::Client::kVulkan));
+    ETALON_TRY(images, Link(front, program, call, Target::Client::kVulkan));
     Signature signature;
+    for (const BoundImage& image : images) {
+        signature.images.push_back(image.name);
+    }
+    signature.dialect = dialect;
     signature.version = version;
     signature.stage = stage;
     const auto* statements = InspectedStatements(front.shader().getIntermediate()->getTreeRoot());
@@ -279,6 +299,13 @@ Result<Signature> InspectIn(const Call& call, Stage stage, Dialect dialect) {
         }
         (is_argument ? signature.arguments : signature.wanted).push_back(std::move(*type));
     }
+    for (const std::size_t words : {signature.InputWords(call), signature.OutputWords(call)}) {
+        if (words > kMostWords) {
+            return Error{call.wanted.front().origin + ": " + std::to_string(words) +
+                         " values a row are more than the " + std::to_string(kMostWords) +
+                         " that a probe carries"};
+        }
+    }
     if (signature.OutputWords(call) == 0) {
         return Error{call.wanted.front().origin +
                      ": the call has no result and no out parameter, so there is nothing to see; "
@@ -287,34 +314,87 @@ Result<Signature> InspectIn(const Call& call, Stage stage, Dialect dialect) {
     return signature;
 }
 
+// Refuses what would reach beyond the place of an expression in the generated text.
+Status<> IsOneExpression(const Call& call) {
+    for (const Wanted& wanted : call.wanted) {
+        std::string open;
+        bool is_broken = wanted.text.find_first_not_of(" \t") == std::string::npos;
+        for (const char c : wanted.text) {
+            is_broken =
+                is_broken || std::string_view(";{}#\\\n\r").find(c) != std::string_view::npos;
+            if (c == '(' || c == '[') {
+                open += c;
+            } else if (c == ')' || c == ']') {
+                is_broken = is_broken || open.empty() || open.back() != (c == ')' ? '(' : '[');
+                if (!open.empty()) {
+                    open.pop_back();
+                }
+            }
+        }
+        if (is_broken || !open.empty()) {
+            return Error{wanted.origin + ": '" + wanted.text + "' is not one GLSL expression"};
+        }
+    }
+    return Ok();
+}
+
+// In a compute shader, or where that cannot be in a fragment shader: derivatives and the like exist
+// only there.
+Result<Signature> InspectInEitherStage(const Call& call, const Dialect& dialect, Dialect& seen) {
+    Result<Signature> compute = InspectIn(call, Stage::kCompute, dialect, seen);
+    if (compute) {
+        return compute;
+    }
+    Result<Signature> fragment = InspectIn(call, Stage::kFragment, dialect, seen);
+    const bool is_about_stage = compute.error().message.find("compute") != std::string::npos;
+    return fragment || is_about_stage ? fragment : compute;
+}
+
 }  // namespace
 
 Result<Signature> Inspect(const Call& call) {
+    if (auto one = IsOneExpression(call); !one) {
+        return one.error();
+    }
     ETALON_TRY(dialect, ReadDialect(call));
-    Result<Signature> signature = InspectIn(call, Stage::kCompute, dialect);
-    if (!signature) {
-        // Derivatives and the like exist in fragments only. The error to show is the first one.
-        if (Result<Signature> other = InspectIn(call, Stage::kFragment, dialect)) {
+    Dialect seen;
+    const Result<Signature> first = InspectInEitherStage(call, dialect, seen);
+    if (first) {
+        return first;
+    }
+    // glslang gives parameters a precision for Vulkan but built-in functions none, and then refuses
+    // a source's own version of a built-in function, which GLSL allows.
+    if (first.error().message.find("must have the same parameter") != std::string::npos) {
+        Dialect renaming = dialect;
+        renaming.redefined = seen.redefined;
+        renaming.rename_redefined = true;
+        if (Result<Signature> renamed = InspectInEitherStage(call, renaming, seen)) {
+            return renamed;
+        }
+        return Error{first.error().message +
+                     " (the function has the name of a built-in one; -D NAME=OTHER renames it)"};
+    }
+    // A further source may define what the first one only declares, or what it uses without a word.
+    if (!call.with.empty()) {
+        Dialect turned = dialect;
+        turned.with_first = true;
+        if (Result<Signature> other = InspectInEitherStage(call, turned, seen)) {
             return other;
         }
     }
-    return signature;
+    return first;
 }
 
 Result<Program, CompileFailure> Compile(const Call& call, const Signature& signature,
                                         const Recipe& recipe, Target target,
                                         std::span<const std::vector<std::uint32_t>> baked) {
     using Kind = CompileFailure::Kind;
-    Result<Dialect> dialect = ReadDialect(call);
-    if (!dialect) {
-        return CompileFailure{Kind::kInput, dialect.error().message};
-    }
     Program program;
     program.stage = recipe.stage;
     program.form = recipe.form;
     program.input_words = recipe.baked ? 0 : signature.InputWords(call);
     program.output_words = signature.OutputWords(call);
-    const std::vector<Piece> pieces = ProbeShader(call, signature, recipe, *dialect, baked);
+    const std::vector<Piece> pieces = ProbeShader(call, signature, recipe, baked);
 
     const bool is_text = recipe.form == Form::kGlsl;
     std::optional<Target::Client> client;

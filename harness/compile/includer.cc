@@ -1,11 +1,10 @@
 #include "compile/includer.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cstring>
 
 #include "base/check.h"
 #include "base/file.h"
+#include "compile/source_text.h"
 
 namespace etalon {
 namespace {
@@ -23,32 +22,8 @@ fs::path FolderOf(const fs::path& file) {
     return parent.empty() ? fs::path(".") : parent;
 }
 
-// Blanks the #version line, which only the generated shader may have, and reports what it said.
-void TakeVersion(std::string& text, Dialect& dialect) {
-    std::size_t line = 0;
-    while (line < text.size()) {
-        std::size_t end = text.find('\n', line);
-        end = end == std::string::npos ? text.size() : end;
-        std::size_t at = text.find_first_not_of(" \t", line);
-        if (at < end && text[at] == '#') {
-            at = text.find_first_not_of(" \t", at + 1);
-            if (at < end && text.compare(at, 7, "version") == 0) {
-                at = text.find_first_not_of(" \t", at + 7);
-                std::uint32_t version = 0;
-                if (at < end) {
-                    std::from_chars(text.data() + at, text.data() + end, version);
-                    const std::string_view rest(text.data() + at, end - at);
-                    dialect.es = dialect.es || version == 100 || rest.find(" es") != rest.npos;
-                }
-                dialect.version = std::max(dialect.version, version);
-                std::fill(text.begin() + static_cast<std::ptrdiff_t>(line),
-                          text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
-                return;
-            }
-        }
-        line = end + 1;
-    }
-}
+// A file with an #include for each line must end some time, also where it has no guards.
+constexpr std::size_t kMostIncludes = 4096;
 
 }  // namespace
 
@@ -89,10 +64,14 @@ Includer::IncludeResult* Includer::Open(const fs::path& path) {
     if (!text) {
         return Refuse(text.error().message);
     }
-    TakeVersion(*text, dialect_);
-    // A last line without its end would run into the line after the #include.
-    text->push_back('\n');
-    texts_.push_back(std::move(*text));
+    if (texts_.size() >= kMostIncludes) {
+        return Refuse("more than " + std::to_string(kMostIncludes) + " files are included");
+    }
+    Result<std::string> prepared = PrepareSource(std::move(*text), dialect_);
+    if (!prepared) {
+        return Refuse(path.string() + ":" + prepared.error().message);
+    }
+    texts_.push_back(std::move(*prepared));
     open_.push_back(canonical);
     refused_.clear();
     return new IncludeResult(path.string(), texts_.back().data(), texts_.back().size(), this);

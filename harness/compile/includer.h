@@ -24,8 +24,8 @@ class Includer : public glslang::TShader::Includer {
     IncludeResult* includeSystem(const char* header, const char* includer, size_t depth) override;
     void releaseInclude(IncludeResult* result) override;
 
-    // The highest #version met and whether any source is ES, for the sources read so far.
-    Dialect dialect() const { return dialect_; }
+    // What is known of the sources read so far.
+    const Dialect& dialect() const { return dialect_; }
 
   private:
     IncludeResult* Include(const std::string& header, const std::string& includer, bool beside);

@@ -72,7 +72,10 @@ std::string DriverText(std::string_view preprocessed, std::uint32_t version,
     for (const std::string_view line : Lines(preprocessed)) {
         const std::string_view directive = Trim(line);
         if (directive.starts_with("#extension")) {
-            if (directive.find("GL_GOOGLE_") == std::string_view::npos) {
+            // The compiler's own extensions, and those of OpenGL ES, are nothing to a desktop
+            // driver.
+            if (directive.find("GL_GOOGLE_") == std::string_view::npos &&
+                directive.find("GL_OES_") == std::string_view::npos) {
                 head += std::string(directive) + "\n";
             }
         } else if (directive.starts_with("#line")) {

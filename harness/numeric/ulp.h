@@ -8,9 +8,10 @@
 
 namespace etalon {
 
-// The least distance of two different finite floats a <= x <= b; `x` need not be a float. At a power
-// of two it is the distance to the neighbour of smaller magnitude, half of the other one; 2^-149 up
-// to 2^-125 and at zero; beyond the largest float, and for infinities, 2^104. NaN for NaN.
+// The least distance of two different finite floats a <= x <= b; `x` need not be a float. At a
+// power of two it is the distance to the neighbour of smaller magnitude, half of the other one;
+// 2^-149 up to 2^-125 and at zero; beyond the largest float, and for infinities, 2^104. NaN for
+// NaN.
 inline double Ulp(double x) {
     if (x != x) {
         return x;

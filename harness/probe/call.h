@@ -39,11 +39,23 @@ struct Call {
     std::vector<Wanted> wanted;
 };
 
+// How the sources are written, and what must be done about it.
+struct Dialect {
+    std::uint32_t version = 0;  // their highest #version, 0 for none
+    bool es = false;
+    std::vector<std::string> samplers;   // uniforms that the sources declare
+    std::vector<std::string> redefined;  // built-in functions of which they have their own
+    bool rename_redefined = false;       // where the compiler cannot take such a function as it is
+    bool with_first = false;             // the further sources come before the first one
+};
+
 // The types that the compiler found for a call.
 struct Signature {
-    std::vector<Type> arguments;    // as Call::arguments
-    std::vector<Type> wanted;       // as Call::wanted; void where the call has no value
-    std::uint32_t version = 450;    // GLSL that the sources need at least
+    Dialect dialect;
+    std::vector<Type> arguments;      // as Call::arguments
+    std::vector<Type> wanted;         // as Call::wanted; void where the call has no value
+    std::vector<std::string> images;  // samplers that the call reaches
+    std::uint32_t version = 450;      // GLSL that the sources need at least
     Stage stage = Stage::kCompute;  // kFragment where the sources compile only there (derivatives)
 
     std::uint32_t InputWords(const Call& call) const;

@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 namespace etalon {
 namespace {
 
 // Words that became keywords after the version in which a source is written: they are renamed while
 // it is read.
-std::vector<std::string> LaterKeywords(Dialect dialect) {
+std::vector<std::string> LaterKeywords(const Dialect& dialect) {
     if (dialect.es) {
         return dialect.version < 310 ? std::vector<std::string>{"buffer", "shared", "precise"}
                                      : std::vector<std::string>{};
@@ -36,7 +38,7 @@ std::vector<std::string> LaterKeywords(Dialect dialect) {
 }
 
 // Built-in functions of GLSL 1.x that later versions call otherwise.
-std::vector<std::pair<std::string, std::string>> OldNames(Dialect dialect) {
+std::vector<std::pair<std::string, std::string>> OldNames(const Dialect& dialect) {
     const bool old = dialect.version <= 120 && !(dialect.es && dialect.version >= 300);
     if (!old) {
         return {};
@@ -45,7 +47,9 @@ std::vector<std::pair<std::string, std::string>> OldNames(Dialect dialect) {
             {"textureCube", "texture"},
             {"texture2DLod", "textureLod"},
             {"texture2DProj", "textureProj"},
-            {"texture2DLodEXT", "textureLod"}};
+            {"texture2DLodEXT", "textureLod"},
+            {"varying", ""},
+            {"attribute", ""}};
 }
 
 class Text {
@@ -62,13 +66,52 @@ class Text {
     void User(const std::string& origin, const std::string& text) {
         pieces_.push_back({origin, text});
     }
+    void Append(const std::vector<Piece>& more) {
+        pieces_.insert(pieces_.end(), more.begin(), more.end());
+    }
 
   private:
     std::vector<Piece>& pieces_;
 };
 
-void Prologue(const Call& call, Dialect dialect, Text& out) {
-    out << "#extension GL_GOOGLE_include_directive : enable\n";
+// The identifiers of a text, each once.
+std::vector<std::string> Identifiers(const std::vector<Piece>& pieces) {
+    std::set<std::string> words;
+    for (const Piece& piece : pieces) {
+        std::string word;
+        for (const char c : piece.text + " ") {
+            const bool is_part = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+            if (is_part) {
+                word += c;
+                continue;
+            }
+            if (!word.empty() && std::isdigit(static_cast<unsigned char>(word[0])) == 0) {
+                words.insert(word);
+            }
+            word.clear();
+        }
+    }
+    return {words.begin(), words.end()};
+}
+
+// What comes before the sources. The conversions stand here, under names of the generator's own,
+// because a source may have functions or macros of the built-in ones' names.
+void Prologue(const Call& call, const Dialect& dialect, Text& out) {
+    out << "#extension GL_GOOGLE_include_directive : enable\n"
+           "uint etalon_bits(float value) { return floatBitsToUint(value); }\n"
+           "float etalon_value(uint bits) { return uintBitsToFloat(bits); }\n";
+    for (const BoundImage& image : call.images) {
+        const auto& declared = dialect.samplers;
+        if (std::find(declared.begin(), declared.end(), image.name) == declared.end()) {
+            out << "uniform sampler2D " << image.name << ";\n";
+        }
+    }
+    out << "#define main etalon_word_main\n";
+    if (dialect.rename_redefined) {
+        for (const std::string& word : dialect.redefined) {
+            out << "#define " << word << " etalon_word_" << word << "\n";
+        }
+    }
     for (const auto& [name, value] : call.defines) {
         out << "#define " << name << " " << value << "\n";
     }
@@ -78,16 +121,22 @@ void Prologue(const Call& call, Dialect dialect, Text& out) {
     for (const std::string& word : LaterKeywords(dialect)) {
         out << "#define " << word << " etalon_word_" << word << "\n";
     }
-    for (std::size_t i = 0; i <= call.with.size(); ++i) {
-        out << "#include \"" << kSourceMark << i << "\"\n";
+    const std::size_t sources = call.with.size() + 1;
+    for (std::size_t i = 0; i < sources; ++i) {
+        out << "#include \"" << kSourceMark << (dialect.with_first ? (i + 1) % sources : i)
+            << "\"\n";
     }
 }
 
-void ForgetWords(Dialect dialect, Text& out) {
+// Appends the generator's own part, in which no macro of the sources may have a meaning.
+void AppendUntouched(const std::vector<Piece>& own, Text& out) {
     out << "\n";
-    for (const std::string& word : LaterKeywords(dialect)) {
-        out << "#undef " << word << "\n";
+    for (const std::string& word : Identifiers(own)) {
+        if (!word.starts_with("gl_") && !word.starts_with("GL_")) {
+            out << "#undef " << word << "\n";
+        }
     }
+    out.Append(own);
 }
 
 std::string Origin(const Argument& argument) {
@@ -108,7 +157,7 @@ void Parameters(const Call& call, Text& out) {
 std::string ToWord(Scalar scalar, const std::string& value) {
     switch (scalar) {
         case Scalar::kFloat:
-            return "floatBitsToUint(" + value + ")";
+            return "etalon_bits(" + value + ")";
         case Scalar::kInt:
             return "uint(" + value + ")";
         case Scalar::kUint:
@@ -122,7 +171,7 @@ std::string ToWord(Scalar scalar, const std::string& value) {
 std::string FromWord(Scalar scalar, const std::string& word) {
     switch (scalar) {
         case Scalar::kFloat:
-            return "uintBitsToFloat(" + word + ")";
+            return "etalon_value(" + word + ")";
         case Scalar::kInt:
             return "int(" + word + ")";
         case Scalar::kUint:
@@ -141,7 +190,7 @@ std::string Literal(Scalar scalar, std::uint32_t word) {
         case Scalar::kFloat: {
             const float value = std::bit_cast<float>(word);
             if (!std::isfinite(value)) {
-                return "uintBitsToFloat(" + bits + ")";
+                return "etalon_value(" + bits + ")";
             }
             std::array<char, 40> digits{};
             std::snprintf(digits.data(), digits.size(), "%.17e",
@@ -333,7 +382,8 @@ void TargetMain(RowWriter rows, const Recipe& recipe, std::uint32_t output_words
             out << (k == 0 ? "" : ", ") << "etalon_w["
                 << (output_words <= kTargetWords
                         ? at
-                        : "min(etalon_first + " + at + ", " + std::to_string(padded - 1) + ")")
+                        : "etalon_first + " + at + " < " + std::to_string(padded) +
+                              " ? etalon_first + " + at + " : 0")
                 << "]";
         }
         out << ");\n";
@@ -343,7 +393,7 @@ void TargetMain(RowWriter rows, const Recipe& recipe, std::uint32_t output_words
 
 }  // namespace
 
-std::vector<Piece> InspectionShader(const Call& call, Dialect dialect) {
+std::vector<Piece> InspectionShader(const Call& call, const Dialect& dialect) {
     std::vector<Piece> pieces;
     Text out(pieces);
     Prologue(call, dialect, out);
@@ -354,36 +404,45 @@ std::vector<Piece> InspectionShader(const Call& call, Dialect dialect) {
         out << "    " << argument.name << ";\n";
     }
     for (const Wanted& wanted : call.wanted) {
+        out << "    (";
         out.User(wanted.origin, wanted.text);
-        out << ";\n";
+        out << ");\n";
     }
+    out << "}\n";
     // The call from main lets the linker see what it reaches: functions without a body, samplers.
-    out << "}\nvoid main() {\n";
+    std::vector<Piece> own;
+    Text main(own);
+    main << "void main() {\n";
     std::string arguments;
     for (std::size_t i = 0; i < call.arguments.size(); ++i) {
         const std::string local = "etalon_a" + std::to_string(i);
-        out << "    ";
-        out.User(Origin(call.arguments[i]), call.arguments[i].type + " " + local);
-        out << ";\n";
+        main << "    ";
+        main.User(Origin(call.arguments[i]), call.arguments[i].type + " " + local);
+        main << ";\n";
         arguments += (i == 0 ? "" : ", ") + local;
     }
-    out << "    etalon_inspect(" << arguments << ");\n}\n";
+    main << "    etalon_inspect(" << arguments << ");\n}\n";
+    // The arguments' types are still the sources' words.
+    out << "#undef main\n";
+    out.Append(own);
     return pieces;
 }
 
 std::vector<Piece> ProbeShader(const Call& call, const Signature& signature, const Recipe& recipe,
-                               Dialect dialect, std::span<const std::vector<std::uint32_t>> baked) {
+                               std::span<const std::vector<std::uint32_t>> baked) {
     std::vector<Piece> pieces;
     Text out(pieces);
-    Prologue(call, dialect, out);
+    Prologue(call, signature.dialect, out);
     Evaluate(call, signature, recipe, out);
-    ForgetWords(dialect, out);
+    std::vector<Piece> own;
+    Text main(own);
     const RowWriter rows(call, signature, recipe);
     if (recipe.stage == Stage::kFragment && recipe.form == Form::kGlsl) {
-        TargetMain(rows, recipe, signature.OutputWords(call), baked, out);
+        TargetMain(rows, recipe, signature.OutputWords(call), baked, main);
     } else {
-        StorageMain(rows, recipe, baked, out);
+        StorageMain(rows, recipe, baked, main);
     }
+    AppendUntouched(own, out);
     return pieces;
 }
 

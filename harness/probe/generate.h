@@ -24,19 +24,13 @@ inline constexpr const char* kGenerated = "etalon";
 // Call::with.
 inline constexpr const char* kSourceMark = "etalon-source:";
 
-// How the sources are written, as far as the probe must know it.
-struct Dialect {
-    std::uint32_t version = 0;  // their #version, 0 for none
-    bool es = false;
-};
-
 // A shader whose function etalon_inspect mentions each argument and each wanted expression as a
 // statement of its own, so that the compiler tells their types.
-std::vector<Piece> InspectionShader(const Call& call, Dialect dialect);
+std::vector<Piece> InspectionShader(const Call& call, const Dialect& dialect);
 
 // The probe itself. `baked` holds the rows to build in (InputColumns words each); it is empty for
 // inputs at run time.
 std::vector<Piece> ProbeShader(const Call& call, const Signature& signature, const Recipe& recipe,
-                               Dialect dialect, std::span<const std::vector<std::uint32_t>> baked);
+                               std::span<const std::vector<std::uint32_t>> baked);
 
 }  // namespace etalon

@@ -33,10 +33,9 @@ Result<Recipe> ParseRecipe(std::string_view text) {
             recipe.form = Form::kSpirv;
         } else if (first && word == "glsl") {
             recipe.form = Form::kGlsl;
-        } else if (!first && word == "O" && recipe.form == Form::kSpirv) {
-            recipe.optimise = Recipe::Optimise::kSpeed;
-        } else if (!first && word == "Os" && recipe.form == Form::kSpirv) {
-            recipe.optimise = Recipe::Optimise::kSize;
+        } else if (!first && (word == "O" || word == "Os") && recipe.form == Form::kSpirv &&
+                   recipe.optimise == Recipe::Optimise::kNone) {
+            recipe.optimise = word == "O" ? Recipe::Optimise::kSpeed : Recipe::Optimise::kSize;
         } else if (!first && word == "precise") {
             recipe.precise = true;
         } else if (!first && word == "baked") {
@@ -46,7 +45,7 @@ Result<Recipe> ParseRecipe(std::string_view text) {
         } else {
             return Error{
                 "unknown recipe '" + whole +
-                "': it is spirv or glsl, then any of +O, +Os (spirv only), +precise, +baked, "
+                "': it is spirv or glsl, then any of +O or +Os (spirv only), +precise, +baked, "
                 "+fragment"};
         }
         first = false;

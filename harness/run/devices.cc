@@ -124,13 +124,25 @@ Result<DeviceSet> OpenDevices(const DeviceChoice& choice) {
             break;
         }
     }
-    if (!unmatched.empty()) {
-        std::string reasons;
-        for (const DeviceNote& note : set.absent) {
-            reasons += (reasons.empty() ? " (" : "; ") + note.name + ": " + note.reason;
+    for (const Driver& driver : choice.drivers) {
+        const std::string mark = "@" + driver.name;
+        const bool any =
+            std::any_of(set.sessions.begin(), set.sessions.end(),
+                        [&](const auto& one) { return one->info().name.ends_with(mark); });
+        const auto why = std::find_if(set.absent.begin(), set.absent.end(),
+                                      [&](const auto& note) { return note.name.ends_with(mark); });
+        if (!any && why != set.absent.end()) {
+            return Error{"--driver " + driver.name + ": nothing under '" + driver.prefix.string() +
+                         "' opens (" + why->name + ": " + why->reason + ")"};
         }
+    }
+    if (!unmatched.empty()) {
+        const std::string hint =
+            unmatched.begin()->find(':') == std::string::npos
+                ? "; '" + *unmatched.begin() + ":*' would name all of that interface"
+                : "";
         return Error{"no device is called '" + *unmatched.begin() +
-                     "'; `etalon devices` lists them" + (reasons.empty() ? "" : reasons + ")")};
+                     "'; `etalon devices --all` tells what is here and what was tried" + hint};
     }
     if (set.sessions.empty()) {
         return Error{"no device was found on this machine; `etalon devices` tells what was tried"};

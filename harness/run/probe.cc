@@ -1,7 +1,7 @@
 #include "run/probe.h"
 
 #include <algorithm>
-#include <bit>
+#include <cctype>
 #include <ostream>
 
 #include "compile/compile.h"
@@ -74,8 +74,24 @@ Result<Argument> ParseDeclaration(const std::string& option, const std::string& 
     return Argument{text.substr(0, colon), text.substr(colon + 1), false, false};
 }
 
-bool IsOneLine(const std::string& text) {
-    return text.find_first_of("\n\r\\#") == std::string::npos;
+// Names of the output's own columns.
+Status<> CheckFree(const Argument& argument) {
+    for (const char* taken : {"device", "recipe", "result"}) {
+        if (argument.name == taken) {
+            return Error{"'" + argument.name +
+                         "' is the name of a column of the output; call the variable otherwise"};
+        }
+    }
+    return Ok();
+}
+
+bool IsMacro(const std::string& name, const std::string& value) {
+    const bool is_name = !name.empty() && std::isdigit(static_cast<unsigned char>(name[0])) == 0 &&
+                         std::all_of(name.begin(), name.end(), [](unsigned char c) {
+                             return std::isalnum(c) != 0 || c == '_';
+                         });
+    return is_name && value.find_first_of("\n\r\\#") == std::string::npos &&
+           value.find("/*") == std::string::npos && value.find("//") == std::string::npos;
 }
 
 // The call and its table of inputs, from what the user chose.
@@ -93,10 +109,11 @@ Result<Call> BaseCall(const ProbeChoice& choice) {
     for (const std::string& define : choice.defines) {
         const std::size_t equals = define.find('=');
         const std::string name = define.substr(0, equals);
-        if (name.empty() || !IsOneLine(define)) {
+        const std::string value = equals == std::string::npos ? "1" : define.substr(equals + 1);
+        if (!IsMacro(name, value)) {
             return Error{"-D '" + define + "': it reads NAME or NAME=VALUE"};
         }
-        call.defines[name] = equals == std::string::npos ? "1" : define.substr(equals + 1);
+        call.defines[name] = value;
     }
     for (const std::filesystem::path& root : choice.include) {
         if (!std::filesystem::is_directory(root)) {
@@ -104,9 +121,6 @@ Result<Call> BaseCall(const ProbeChoice& choice) {
         }
     }
     ETALON_TRY_STEP(AddWith(choice.with, "", call));
-    if (!IsOneLine(choice.call)) {
-        return Error{"CALL: is not one line of GLSL"};
-    }
     call.wanted = {{"result", choice.call, "CALL"}};
     return call;
 }
@@ -150,7 +164,17 @@ Result<Request> MakeRequest(const ProbeChoice& choice) {
             same->is_output = true;
         }
     }
+    for (const Argument& argument : request.call.arguments) {
+        ETALON_TRY_STEP(CheckFree(argument));
+    }
     ETALON_TRY(signature, Inspect(request.call));
+    for (const BoundImage& image : request.call.images) {
+        const auto& reached = signature.images;
+        if (std::find(reached.begin(), reached.end(), image.name) == reached.end()) {
+            return Error{"--with " + image.name + "=...: the call reaches no sampler '" +
+                         image.name + "'"};
+        }
+    }
     request.signature = std::move(signature);
     ETALON_TRY(words, Arrange(table, InputColumns(request.call, request.signature), origin));
     request.words = std::move(words);

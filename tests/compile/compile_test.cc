@@ -246,6 +246,101 @@ TEST_F(CompileTest, BadSourcesAreNamed) {
     EXPECT_THAT(InspectError("double f() { return 1.0LF; }\n", "f()"), HasSubstr("cannot carry"));
 }
 
+TEST_F(CompileTest, NamesOfTheSourcesDoNotReachTheGeneratedPart) {
+    const auto source = Write("macros.glsl",
+                              "#define r g\n#define uint vec4\n#define rows 7\n#define if while\n"
+                              "float uintBitsToFloat(int x) { return float(x); }\n"
+                              "float f(float x) { return x; }\nvoid main() {}\n");
+    const Call call = MakeCall(source, "f(x)", {kX});
+    for (const char* recipe : {"spirv", "spirv+baked", "spirv+fragment"}) {
+        EXPECT_EQ(CompileError(call, recipe), "") << recipe;
+    }
+    EXPECT_EQ(CompileError(call, "glsl+fragment", {Target::Client::kOpenGl, 330}), "");
+    EXPECT_THAT(InspectError("float etalon_in(float x) { return x; }\n", "1.0"),
+                HasSubstr("x.glsl:1: 'etalon_in'"));
+}
+
+TEST_F(CompileTest, ASourceMayHaveItsOwnVersionOfABuiltInFunction) {
+    Write("own/inverse.glsl", "mat3 inverse(mat3 m) { return 2.0 * m; }\n");
+    const auto source = Write("own.glsl",
+                              "#include \"own/inverse.glsl\"\n"
+                              "float round(float x) { return 7.0; }\n"
+                              "float f(float x) { return round(x) + inverse(mat3(x))[0].x; }\n");
+    const Call call = MakeCall(source, "f(x) + round(x)", {kX});
+    EXPECT_EQ(CompileError(call, "spirv"), "");
+    EXPECT_EQ(CompileError(call, "glsl", {Target::Client::kOpenGl, 450}), "");
+}
+
+TEST_F(CompileTest, FurtherSourcesMayDefineWhatTheFirstOneUsesUndeclared) {
+    Call call =
+        MakeCall(Write("user.glsl", "float f(float x) { return helper(x); }\n"), "f(x)", {kX});
+    call.with = {Write("helper.glsl", "float helper(float x) { return x; }\n")};
+    EXPECT_EQ(CompileError(call, "spirv"), "");
+}
+
+TEST_F(CompileTest, ASamplerThatNoSourceDeclaresIsDeclared) {
+    Call call =
+        MakeCall(Write("look.glsl",
+                       "float look(sampler2D t, vec2 uv) { return textureLod(t, uv, 0.0).r; }\n"),
+                 "look(tex, vec2(x))", {kX});
+    call.images = {{"tex", std::make_shared<Image>(Image{1, 1, {0, 0, 0, 0}})}};
+    EXPECT_EQ(CompileError(call, "spirv"), "");
+    EXPECT_EQ(CompileError(call, "glsl", {Target::Client::kOpenGl, 450}), "");
+}
+
+TEST_F(CompileTest, OnlyAPlainSamplerTakesAnImage) {
+    for (const char* kind :
+         {"sampler3D", "samplerCube", "isampler2D", "sampler2DArray", "sampler2DShadow"}) {
+        const std::string text = std::string("uniform ") + kind +
+                                 " tex;\nfloat f() { return float(textureSize(tex, 0).x); }\n";
+        Call call = MakeCall(Write("kind.glsl", text), "f()");
+        call.images = {{"tex", std::make_shared<Image>(Image{1, 1, {0, 0, 0, 0}})}};
+        EXPECT_THAT(CompileError(call, "spirv"), HasSubstr("is no plain sampler2D")) << kind;
+    }
+}
+
+TEST_F(CompileTest, WhatIsNoExpressionIsRefusedAsAWhole) {
+    for (const char* call :
+         {"", " ", ";", "{}", "(x", "x)", "f(x];", "1.0; } void g() {", "a\\", "#if"}) {
+        EXPECT_THAT(InspectError("float f(float x) { return x; }\n", call),
+                    HasSubstr("is not one GLSL expression"))
+            << call;
+    }
+    EXPECT_THAT(InspectError("float f(float x) { return x; }\n", "float y = 1.0"),
+                StartsWith("CALL:1: "));
+}
+
+TEST_F(CompileTest, TextOddities) {
+    for (const char* text :
+         {"\xef\xbb\xbf"
+          "float f(float x) { return x; }\n",
+          "float f(float x) {\r\n  return \\\r\n x;\r\n}\r\n",
+          "#version 100\n#extension GL_OES_standard_derivatives : enable\nvarying vec2 uv;\n"
+          "float f(float x) { return x; }\n"}) {
+        const Call call = MakeCall(Write("odd.glsl", text), "f(x)", {kX});
+        EXPECT_EQ(CompileError(call, "spirv"), "") << text;
+        EXPECT_EQ(CompileError(call, "glsl+fragment", {Target::Client::kOpenGl, 330}), "") << text;
+    }
+    EXPECT_THAT(InspectError("float f() {\\\n return 1.0;\n}\nnonsense\n", "f()"),
+                HasSubstr("x.glsl:4: "));
+}
+
+TEST_F(CompileTest, WhatGrowsWithoutEndIsRefused) {
+    Write("level0.glsl", "\n");
+    for (int level = 1; level < 4; ++level) {
+        std::string text;
+        for (int i = 0; i < 20; ++i) {
+            text += "#include \"level" + std::to_string(level - 1) + ".glsl\"\n";
+        }
+        Write("level" + std::to_string(level) + ".glsl", text);
+    }
+    EXPECT_THAT(CompileError(MakeCall(folder_ / "level3.glsl", "1.0"), "spirv"),
+                HasSubstr("files are included"));
+    Call wide = MakeCall(Write("wide.glsl", "void f(out float y[5000]) { y[0] = 1.0; }\n"), "f(y)",
+                         {{"y", "float[5000]", false, true}});
+    EXPECT_THAT(CompileError(wide, "spirv"), HasSubstr("5000 values a row"));
+}
+
 TEST_F(CompileTest, PreciseDecoratesOperations) {
     const auto source = Write("p.glsl", "float f(float x) { return x * x + 1.0; }\n");
     const Call call = MakeCall(source, "f(x)", {kX});

@@ -1,0 +1,261 @@
+#include "compile/source_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <string_view>
+
+namespace etalon {
+namespace {
+
+constexpr std::string_view kReserved = "etalon_";
+
+constexpr std::array kBuiltIns = {"abs",
+                                  "acos",
+                                  "acosh",
+                                  "all",
+                                  "any",
+                                  "asin",
+                                  "asinh",
+                                  "atan",
+                                  "atanh",
+                                  "bitCount",
+                                  "bitfieldExtract",
+                                  "bitfieldInsert",
+                                  "bitfieldReverse",
+                                  "ceil",
+                                  "clamp",
+                                  "cos",
+                                  "cosh",
+                                  "cross",
+                                  "degrees",
+                                  "determinant",
+                                  "distance",
+                                  "dot",
+                                  "equal",
+                                  "exp",
+                                  "exp2",
+                                  "faceforward",
+                                  "findLSB",
+                                  "findMSB",
+                                  "floatBitsToInt",
+                                  "floatBitsToUint",
+                                  "floor",
+                                  "fma",
+                                  "fract",
+                                  "frexp",
+                                  "greaterThan",
+                                  "greaterThanEqual",
+                                  "intBitsToFloat",
+                                  "inverse",
+                                  "inversesqrt",
+                                  "isinf",
+                                  "isnan",
+                                  "ldexp",
+                                  "length",
+                                  "lessThan",
+                                  "lessThanEqual",
+                                  "log",
+                                  "log2",
+                                  "matrixCompMult",
+                                  "max",
+                                  "min",
+                                  "mix",
+                                  "mod",
+                                  "modf",
+                                  "noise1",
+                                  "noise2",
+                                  "noise3",
+                                  "noise4",
+                                  "normalize",
+                                  "notEqual",
+                                  "outerProduct",
+                                  "packHalf2x16",
+                                  "packSnorm2x16",
+                                  "packSnorm4x8",
+                                  "packUnorm2x16",
+                                  "packUnorm4x8",
+                                  "pow",
+                                  "radians",
+                                  "reflect",
+                                  "refract",
+                                  "round",
+                                  "roundEven",
+                                  "sign",
+                                  "sin",
+                                  "sinh",
+                                  "smoothstep",
+                                  "sqrt",
+                                  "step",
+                                  "tan",
+                                  "tanh",
+                                  "texture",
+                                  "textureLod",
+                                  "transpose",
+                                  "trunc",
+                                  "uintBitsToFloat",
+                                  "unpackHalf2x16",
+                                  "unpackSnorm2x16",
+                                  "unpackSnorm4x8",
+                                  "unpackUnorm2x16",
+                                  "unpackUnorm4x8"};
+
+bool IsBuiltIn(std::string_view word) {
+    return std::find(kBuiltIns.begin(), kBuiltIns.end(), word) != kBuiltIns.end();
+}
+
+bool IsWordCharacter(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+// Words and single other characters, without comments, each with its line.
+class Tokens {
+  public:
+    explicit Tokens(std::string_view text) : text_(text) {}
+
+    // Empty at the end.
+    std::string_view Next() {
+        Skip();
+        if (at_ >= text_.size()) {
+            return {};
+        }
+        const std::size_t from = at_++;
+        if (IsWordCharacter(text_[from])) {
+            while (at_ < text_.size() && IsWordCharacter(text_[at_])) {
+                ++at_;
+            }
+        }
+        return text_.substr(from, at_ - from);
+    }
+    std::size_t line() const { return line_; }
+
+  private:
+    void Skip() {
+        while (at_ < text_.size()) {
+            const std::string_view rest = text_.substr(at_);
+            if (rest[0] == '\n') {
+                ++line_;
+                ++at_;
+            } else if (std::isspace(static_cast<unsigned char>(rest[0])) != 0) {
+                ++at_;
+            } else if (rest.starts_with("//")) {
+                at_ = std::min(text_.find('\n', at_), text_.size());
+            } else if (rest.starts_with("/*")) {
+                const std::size_t end = std::min(rest.find("*/", 2), rest.size() - 2) + 2;
+                line_ += static_cast<std::size_t>(std::count(
+                    rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+                at_ += end;
+            } else {
+                return;
+            }
+        }
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    std::size_t line_ = 1;
+};
+
+void AddOnce(std::string_view word, std::vector<std::string>& words) {
+    if (std::find(words.begin(), words.end(), word) == words.end()) {
+        words.emplace_back(word);
+    }
+}
+
+// GLSL before 4.20 has no line continuation, but sources of other versions use it.
+void JoinLines(std::string& text) {
+    if (text.find('\\') == std::string::npos) {
+        return;
+    }
+    std::string joined;
+    std::size_t owed = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool crlf = text.compare(i, 3, "\\\r\n") == 0;
+        if (crlf || text.compare(i, 2, "\\\n") == 0) {
+            ++owed;
+            i += crlf ? 2 : 1;
+        } else {
+            joined += text[i];
+            if (text[i] == '\n') {
+                joined.append(owed, '\n');
+                owed = 0;
+            }
+        }
+    }
+    text = std::move(joined);
+}
+
+// Blanks the #version line, which only the generated shader may have, and reports what it said.
+void TakeVersion(std::string& text, Dialect& dialect) {
+    std::size_t line = 0;
+    while (line < text.size()) {
+        const std::size_t end = std::min(text.find('\n', line), text.size());
+        std::size_t at = text.find_first_not_of(" \t", line);
+        if (at < end && text[at] == '#') {
+            at = text.find_first_not_of(" \t", at + 1);
+            if (at < end && text.compare(at, 7, "version") == 0) {
+                at = std::min(text.find_first_not_of(" \t", at + 7), end);
+                std::uint32_t version = 0;
+                std::from_chars(text.data() + at, text.data() + end, version);
+                const std::string_view rest(text.data() + at, end - at);
+                dialect.es = dialect.es || version == 100 || rest.find(" es") != rest.npos;
+                dialect.version = std::max(dialect.version, version);
+                std::fill(text.begin() + static_cast<std::ptrdiff_t>(line),
+                          text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+                return;
+            }
+        }
+        line = end + 1;
+    }
+}
+
+// "TYPE name (" at the top level defines or declares a function; "uniform ... sampler2D name" a
+// sampler.
+Status<> FindNames(std::string_view text, Dialect& dialect) {
+    Tokens tokens(text);
+    std::string_view before;
+    std::string_view last;
+    int depth = 0;
+    bool in_uniform = false;
+    for (std::string_view token = tokens.Next(); !token.empty(); token = tokens.Next()) {
+        if (token.starts_with(kReserved)) {
+            return Error{std::to_string(tokens.line()) + ": '" + std::string(token) +
+                         "': names that begin with '" + std::string(kReserved) +
+                         "' belong to the probe"};
+        }
+        if (token == "{" || token == "}") {
+            depth += token == "{" ? 1 : -1;
+        }
+        if (token == "uniform" || token == ";") {
+            in_uniform = token == "uniform";
+        }
+        if (in_uniform && last.find("sampler") != std::string_view::npos) {
+            AddOnce(token, dialect.samplers);
+        }
+        if (depth == 0 && token == "(" && IsBuiltIn(last) && !before.empty() &&
+            IsWordCharacter(before[0])) {
+            AddOnce(last, dialect.redefined);
+        }
+        before = last;
+        last = token;
+    }
+    return Ok();
+}
+
+}  // namespace
+
+Result<std::string> PrepareSource(std::string text, Dialect& dialect) {
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+    if (text.starts_with(kByteOrderMark)) {
+        text.erase(0, kByteOrderMark.size());
+    }
+    JoinLines(text);
+    TakeVersion(text, dialect);
+    ETALON_TRY_STEP(FindNames(text, dialect));
+    // A last line without its end would run into the line after the #include.
+    text.push_back('\n');
+    return text;
+}
+
+}  // namespace etalon
