@@ -22,6 +22,10 @@ Status<> WriteFile(const std::filesystem::path& path, std::string_view content);
 // True if `text` matches `pattern`, where * stands for any run of characters and ? for any one.
 bool GlobMatches(std::string_view pattern, std::string_view text);
 
+// The text as one word of a shell's command: as it is where nothing in it has a meaning to a shell,
+// else in single quotes.
+std::string ShellWord(const std::string& text);
+
 // The running program's own file.
 std::filesystem::path ProgramPath();
 

@@ -87,6 +87,7 @@ class Binder {
         if (selection[0] >= '0' && selection[0] <= '9') {
             node.selected = {static_cast<unsigned>(std::stoul(selection))};
         } else {
+            node.selected.clear();
             for (const char letter : selection) {
                 const std::size_t place = std::string_view("xyzwrgba").find(letter);
                 if (place == std::string_view::npos || size > 4) {

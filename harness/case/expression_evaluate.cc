@@ -209,7 +209,8 @@ class Evaluation {
             given[begin + row] = arguments[begin + row].value;
             for (unsigned c = 0; c < node.components; ++c) {
                 const bool known = std::isfinite(arguments[begin + row].error);
-                out[c * kBlock + row].error += known ? 2 * spread[c * rows_ + row] : kInfinity;
+                out[c * kBlock + row].error +=
+                    known ? 2 * static_cast<long double>(spread[c * rows_ + row]) : kInfinity;
             }
         }
     }

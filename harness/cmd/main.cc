@@ -45,7 +45,7 @@ void PrepareProcess() {
 // The exit status, unless what was printed could not be written.
 int Finish(int status) {
     std::cout.flush();
-    if (!std::cout || std::fflush(stdout) != 0) {
+    if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
         return Complain("standard output: cannot be written");
     }
     return status;
@@ -187,6 +187,9 @@ int Run(RunChoice choice, const std::string& root, const DeviceOptions& options,
             return Complain("--json: " + written.error().message);
         }
     }
+    if (outcome->nothing_ran) {
+        return Complain("no test ran: every one was skipped");
+    }
     return outcome->good ? 0 : kVerdict;
 }
 
@@ -297,6 +300,9 @@ int Main(std::vector<std::string> arguments) {
             return 0;
         }
         return Complain(std::string(error.what()) + "; --help tells more");
+    }
+    if (!*run && !run_choice.gtest_arguments.empty()) {
+        return Complain("'" + run_choice.gtest_arguments.front() + "' is for `etalon run`");
     }
     if (*list_devices) {
         return ListDevices(devices, devices_json, devices_all);

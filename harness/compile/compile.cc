@@ -55,18 +55,18 @@ class FrontEnd {
     }
 
     static EShMessages Rules(std::optional<Target::Client> client) {
-        int rules = EShMsgDefault;
-        if (client) {
-            rules |= EShMsgSpvRules;
-            rules |= *client == Target::Client::kVulkan ? EShMsgVulkanRules : EShMsgDefault;
+        if (!client) {
+            return EShMsgDefault;
         }
-        return static_cast<EShMessages>(rules);
+        return *client == Target::Client::kVulkan
+                   ? static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules)
+                   : EShMsgSpvRules;
     }
 
     Status<> Parse(std::uint32_t version, std::optional<Target::Client> client) {
         if (!shader_.parse(GetDefaultResources(), static_cast<int>(version), ECoreProfile, true,
                            false, Rules(client), includer_)) {
-            return Error{FirstError(shader_.getInfoLog())};
+            return Error{InUsersWords(FirstError(shader_.getInfoLog()))};
         }
         return Ok();
     }
@@ -84,6 +84,17 @@ class FrontEnd {
     const Dialect& dialect() const { return includer_.dialect(); }
 
   private:
+    // What is found wrong in the generated text, which follows the sources, was left open by them.
+    std::string InUsersWords(const std::string& error) const {
+        const std::string mark = std::string(kGenerated) + ":";
+        if (!error.starts_with(mark)) {
+            return error;
+        }
+        const std::size_t reason = error.find(": ", mark.size());
+        return includer_.last_source() + ": does not end where it should" +
+               (reason == std::string::npos ? "" : ": " + error.substr(reason + 2));
+    }
+
     // glslang forgets the names of further strings after an #include in the first, hence one string
     // and #line.
     static std::string Assemble(const std::vector<Piece>& pieces) {
@@ -331,6 +342,9 @@ Status<> IsOneExpression(const Call& call) {
                 }
             }
         }
+        // A comment would swallow what follows the call.
+        is_broken = is_broken || wanted.text.find("//") != std::string::npos ||
+                    wanted.text.find("/*") != std::string::npos;
         if (is_broken || !open.empty()) {
             return Error{wanted.origin + ": '" + wanted.text + "' is not one GLSL expression"};
         }
@@ -358,7 +372,7 @@ Result<Signature> Inspect(const Call& call) {
     }
     ETALON_TRY(dialect, ReadDialect(call));
     Dialect seen;
-    const Result<Signature> first = InspectInEitherStage(call, dialect, seen);
+    Result<Signature> first = InspectInEitherStage(call, dialect, seen);
     if (first) {
         return first;
     }

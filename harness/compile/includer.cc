@@ -82,7 +82,9 @@ Includer::IncludeResult* Includer::Include(const std::string& header, const std:
     const std::string_view mark(kSourceMark);
     if (header.starts_with(mark) && open_.empty()) {
         const std::size_t index = std::stoul(header.substr(mark.size()));
-        return Open(index == 0 ? call_.source : call_.with.at(index - 1));
+        const fs::path& source = index == 0 ? call_.source : call_.with.at(index - 1);
+        last_source_ = source.string();
+        return Open(source);
     }
     std::vector<fs::path> places;
     if (beside) {

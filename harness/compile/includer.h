@@ -27,6 +27,9 @@ class Includer : public glslang::TShader::Includer {
     // What is known of the sources read so far.
     const Dialect& dialect() const { return dialect_; }
 
+    // The source that comes last in the shader, as the user calls it.
+    std::string last_source() const { return last_source_; }
+
   private:
     IncludeResult* Include(const std::string& header, const std::string& includer, bool beside);
     IncludeResult* Open(const std::filesystem::path& path);
@@ -38,6 +41,7 @@ class Includer : public glslang::TShader::Includer {
     std::vector<std::filesystem::path> open_;  // canonical; the files being read, outermost first
     std::list<std::string> texts_;             // glslang keeps pointers into these
     std::string refused_;  // reason of the last refusal, until something is read
+    std::string last_source_;
     Dialect dialect_;
 };
 

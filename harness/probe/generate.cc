@@ -291,11 +291,11 @@ void Evaluate(const Call& call, const Signature& signature, const Recipe& recipe
     for (std::size_t i = 0; i < call.wanted.size(); ++i) {
         if (signature.wanted[i].kind != Type::Kind::kVoid) {
             out << "    etalon_r" << i << " = (";
-            out.User(call.wanted[i].origin, call.wanted[i].text);
-            out << ");\n";
+            out.User(call.wanted[i].origin, call.wanted[i].text + ");");
+            out << "\n";
         } else {
-            out.User(call.wanted[i].origin, call.wanted[i].text);
-            out << ";\n";
+            out.User(call.wanted[i].origin, call.wanted[i].text + ";");
+            out << "\n";
         }
     }
     out << "}\n";
@@ -405,8 +405,8 @@ std::vector<Piece> InspectionShader(const Call& call, const Dialect& dialect) {
     }
     for (const Wanted& wanted : call.wanted) {
         out << "    (";
-        out.User(wanted.origin, wanted.text);
-        out << ");\n";
+        out.User(wanted.origin, wanted.text + ");");
+        out << "\n";
     }
     out << "}\n";
     // The call from main lets the linker see what it reaches: functions without a body, samplers.

@@ -7,19 +7,9 @@
 
 #include "base/check.h"
 #include "base/file.h"
-#include "base/format.h"
 
 namespace etalon {
 namespace {
-
-// The text in single quotes for a shell.
-std::string Quoted(const std::string& text) {
-    std::string quoted = "'";
-    for (const char c : text) {
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return quoted + "'";
-}
 
 Value ValueOf(Scalar scalar, std::uint32_t word) {
     const std::string decimal = WordText(scalar, word);
@@ -207,14 +197,15 @@ bool JudgeLawRows(const PreparedCase& prepared, const PreparedLaw& law, Session&
 }
 
 std::string RepeatCommand(const Record& record, const RepeatContext& context) {
-    std::string command = context.program + " run " + record.case_path + context.options +
-                          " --device " + Quoted(record.device) + " --recipe " + record.recipe;
+    std::string command = context.program + " run " + ShellWord(record.case_path) +
+                          context.options + " --device " + ShellWord(record.device) + " --recipe " +
+                          record.recipe;
     if (record.worst) {
         std::string at;
         for (const auto& [name, value] : record.worst->inputs) {
             at += (at.empty() ? "" : ",") + name + "=" + value.hex;
         }
-        command += " --at " + Quoted(at);
+        command += " --at " + ShellWord(at);
     }
     return command;
 }

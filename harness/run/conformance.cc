@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/file.h"
+#include "base/format.h"
 #include "report/text.h"
 #include "run/case_run.h"
 #include "run/fit.h"
@@ -201,7 +202,7 @@ bool IsPrefixOf(const std::string& pattern, const std::string& path) {
            (path.starts_with(pattern) && (pattern.ends_with('/') || path[pattern.size()] == '/'));
 }
 
-void InitGoogleTest(const std::vector<std::string>& arguments) {
+Status<> InitGoogleTest(const std::vector<std::string>& arguments) {
     std::vector<std::string> words = {"etalon"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
@@ -212,6 +213,11 @@ void InitGoogleTest(const std::vector<std::string>& arguments) {
     pointers.push_back(nullptr);
     int count = static_cast<int>(words.size());
     ::testing::InitGoogleTest(&count, pointers.data());
+    // What GoogleTest knows it takes out.
+    if (count > 1) {
+        return Error{std::string("GoogleTest knows no flag '") + pointers[1] + "'"};
+    }
+    return Ok();
 }
 
 }  // namespace
@@ -276,10 +282,18 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     ETALON_TRY(devices, OpenDevices(choice.devices));
     shared.devices = std::move(devices);
     for (const Driver& driver : choice.devices.drivers) {
-        shared.repeat.options += " --driver " + driver.name + "=" + driver.prefix.string();
+        shared.repeat.options +=
+            " --driver " + ShellWord(driver.name + "=" + driver.prefix.string());
     }
     if (!choice.root.empty()) {
-        shared.repeat.options += " --root " + choice.root.string();
+        shared.repeat.options += " --root " + ShellWord(choice.root.string());
+    }
+    if (choice.devices.limits.timeout != WorkerLimits{}.timeout) {
+        const double seconds = std::chrono::duration<double>(choice.devices.limits.timeout).count();
+        shared.repeat.options += format(" --timeout {}", seconds);
+    }
+    if (choice.devices.limits.memory_bytes != WorkerLimits{}.memory_bytes) {
+        shared.repeat.options += format(" --memory {}", choice.devices.limits.memory_bytes >> 20);
     }
     for (const auto& session : shared.devices.sessions) {
         shared.record.devices.push_back(session->info());
@@ -287,7 +301,7 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     shared.record.absent = shared.devices.absent;
     shared.record.version = ETALON_VERSION;
 
-    InitGoogleTest(choice.gtest_arguments);
+    ETALON_TRY_STEP(InitGoogleTest(choice.gtest_arguments));
     ETALON_TRY_STEP(RegisterAll(shared, choice));
     ::testing::UnitTest& tests = *::testing::UnitTest::GetInstance();
     RunOutcome outcome;
@@ -307,6 +321,11 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     if (!outcome.listed_only && outcome.record.records.empty()) {
         return Error{"no test was selected: the filter or the shard leaves none"};
     }
+    const std::vector<Record>& records = outcome.record.records;
+    outcome.nothing_ran =
+        !records.empty() && std::all_of(records.begin(), records.end(), [](const Record& record) {
+            return record.verdict == Verdict::kSkip;
+        });
     return outcome;
 }
 

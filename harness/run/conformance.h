@@ -30,6 +30,7 @@ Result<std::vector<std::string>> ChooseCases(const std::filesystem::path& root,
 struct RunOutcome {
     RunRecord record;
     bool listed_only = false;  // --gtest_list_tests or --help: nothing ran
+    bool nothing_ran = false;  // every test was skipped
     bool good = false;         // no test failed
 };
 

@@ -259,6 +259,9 @@ Result<PreparedCase> PrepareAt(const Case& source, const std::string& at) {
             return Error{"--at: " + name + ": " + word.error().message};
         }
         const auto index = static_cast<std::size_t>(column - table.columns.begin());
+        if (given[index]) {
+            return Error{"--at: '" + name + "' stands twice"};
+        }
         table.words[index] = *word;
         given[index] = true;
     }

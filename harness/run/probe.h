@@ -27,8 +27,8 @@ struct ProbeChoice {
 };
 
 // Writes the table to `out` and notes on skipped devices, crashes and flakes to `notes`. Returns
-// the exit status: 0 where a device ran, 1 where one crashed, hung or refused the program and none
-// ran, 2 (as an error) for wrong input.
+// the exit status: 0 where a device ran and none failed, 1 where one crashed, hung or refused the
+// program. Wrong input, and a probe that no device can run, are errors.
 Result<int> RunProbe(const ProbeChoice& choice, std::ostream& out, std::ostream& notes);
 
 }  // namespace etalon

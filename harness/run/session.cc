@@ -119,7 +119,11 @@ Session::Outcome Session::RunChunk(const std::string& key, const Program& progra
 Session::Outcome Session::RunChunkTwice(const std::string& key, const Program& program,
                                         const Rows& inputs, std::uint64_t first, std::uint32_t rows,
                                         const Sink& sink) {
-    Outcome once = client_->alive() ? RunChunk(key, program, inputs, first, rows, sink) : Renew(0);
+    // A worker may have ended since the last chunk, by no fault of this one.
+    Outcome once = client_->alive() ? Outcome(Ok()) : Renew(0);
+    if (once) {
+        once = RunChunk(key, program, inputs, first, rows, sink);
+    }
     if (once || !IsWorkersEnd(once.error())) {
         return once;
     }

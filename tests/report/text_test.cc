@@ -1,0 +1,153 @@
+#include "report/text.h"
+
+#include <gtest/gtest.h>
+
+#include "report/records.h"
+
+namespace etalon {
+namespace {
+
+TEST(ShortNumber, IsShort) {
+    EXPECT_EQ(ShortNumber(0), "0");
+    EXPECT_EQ(ShortNumber(-0.0), "0");
+    EXPECT_EQ(ShortNumber(3.2149), "3.21");
+    EXPECT_EQ(ShortNumber(15'000'000), "1.5e+07");
+    EXPECT_EQ(ShortNumber(1e-300), "1e-300");
+    EXPECT_EQ(ShortNumber(std::numeric_limits<double>::infinity()), "infinite");
+    EXPECT_EQ(ShortNumber(-std::numeric_limits<double>::infinity()), "-infinite");
+}
+
+TEST(WorstText, IsOneLine) {
+    EXPECT_EQ(WorstText(*Passed().worst),
+              "result.x: 4 ulp, 25 % of the tolerance, at n1=1.5, steps=3");
+}
+
+TEST(FailureText, TellsAllThatRepeatsIt) {
+    Record record = Refused();
+    record.worst->ulp_error = 40;
+    record.worst->error = 7.45e-8;
+    record.worst->used = 2.5;
+    record.worst->actual = {"0.10000026", "0x1.9999eap-4"};
+    EXPECT_EQ(FailureText(record),
+              "optics/fresnel on osmesa:llvmpipe (glsl): fail\n"
+              "  refused   2 of 300 values (100 rows, seed 7); the worst:\n"
+              "  input     n1=1.5, steps=3\n"
+              "            n1=0x1.8p+0, steps=3\n"
+              "  output    result.x\n"
+              "  actual    0.10000026 = 0x1.9999eap-4\n"
+              "  expected  0.10000001 = 0x1.99999cp-4\n"
+              "  error     40 ulp, 7.45e-08 absolute, 2.5 times the tolerance\n"
+              "  rule      ulp 16 or absolute 1e-09\n"
+              "  repeat    etalon run optics/fresnel --at 'n1=0x1.8p+0,steps=3'");
+}
+
+TEST(FailureText, TellsOfANan) {
+    EXPECT_EQ(FailureText(Refused()),
+              "optics/fresnel on osmesa:llvmpipe (glsl): fail\n"
+              "  refused   2 of 300 values (100 rows, seed 7); the worst:\n"
+              "  input     n1=1.5, steps=3\n"
+              "            n1=0x1.8p+0, steps=3\n"
+              "  output    result.x\n"
+              "  actual    nan = nan\n"
+              "  expected  0.10000001 = 0x1.99999cp-4\n"
+              "  error     infinite ulp, infinite absolute, infinite times the tolerance\n"
+              "  rule      ulp 16 or absolute 1e-09\n"
+              "  repeat    etalon run optics/fresnel --at 'n1=0x1.8p+0,steps=3'");
+}
+
+TEST(FailureText, TellsOfACrash) {
+    Record record = Without(Verdict::kCrash, "ended by signal 11 (Segmentation fault)");
+    record.repeat = "etalon run optics/fresnel";
+    EXPECT_EQ(FailureText(record),
+              "optics/fresnel on osmesa:llvmpipe (glsl): crash\n"
+              "  reason    ended by signal 11 (Segmentation fault)\n"
+              "  repeat    etalon run optics/fresnel");
+    record.known_cause = "bug: the driver divides (https://example.org/1)";
+    EXPECT_EQ(FailureText(record),
+              "optics/fresnel on osmesa:llvmpipe (glsl): crash\n"
+              "  reason    ended by signal 11 (Segmentation fault)\n"
+              "  known     bug: the driver divides (https://example.org/1)\n"
+              "  repeat    etalon run optics/fresnel");
+}
+
+TEST(FailureText, ShowsNoRefusedValueWhereNoneWasRefused) {
+    Record record = Passed();
+    record.verdict = Verdict::kFail;
+    record.reason =
+        "passes, but is expected to fail (bug: old); take the expectation out of the case";
+    EXPECT_EQ(FailureText(record),
+              "optics/fresnel on osmesa:llvmpipe (glsl): fail\n"
+              "  reason    passes, but is expected to fail (bug: old); take the expectation out of "
+              "the case\n"
+              "  repeat    etalon run optics/fresnel --at 'n1=0x1.8p+0,steps=3'");
+}
+
+TEST(SummaryText, CountsByDevice) {
+    RunRecord run;
+    run.devices = {Llvmpipe(), Silent()};
+    Record closer = Passed();
+    closer.case_path = "optics/snell";
+    closer.worst->used = 0.875;
+    Record known = Refused();
+    known.known_cause = "method: cancels";
+    Record flaky = Passed();
+    flaky.flake = "ended by signal 9 (Killed)";
+    Record skipped = Without(Verdict::kSkip, "no fragment stage");
+    skipped.device = "vulkan:silent@new";
+    Record hung = Without(Verdict::kTimeout, "no answer within 10 s");
+    hung.device = "vulkan:silent@new";
+    Record known_crash = Without(Verdict::kCrash, "signal 11");
+    known_crash.known_cause = "method: cancels";
+    run.records = {Passed(), closer,  Refused(), known,       flaky,
+                   skipped,  skipped, hung,      known_crash, Without(Verdict::kCrash, "x")};
+    EXPECT_EQ(
+        SummaryText(run),
+        "device                        pass  fail known  skip crash timeout  least margin\n"
+        "osmesa:llvmpipe                  3     1     2     0     1       0  12.5 %  optics/snell "
+        "(glsl)\n"
+        "vulkan:silent@new                0     0     0     2     0       1  -\n"
+        "known failure, 2 times: method: cancels\n"
+        "skipped, 2 times: no fragment stage\n"
+        "failed once and not again:\n"
+        "  optics/fresnel on osmesa:llvmpipe (glsl): ended by signal 9 (Killed)\n");
+}
+
+TEST(SummaryText, IsATableWithoutRecordsToo) {
+    RunRecord run;
+    run.devices = {Llvmpipe()};
+    EXPECT_EQ(SummaryText(run),
+              "device                        pass  fail known  skip crash timeout  least margin\n"
+              "osmesa:llvmpipe                  0     0     0     0     0       0  -\n");
+}
+
+TEST(DevicesText, ShowsWhatADeviceTells) {
+    RunRecord run;
+    run.devices = {Llvmpipe(), Silent()};
+    run.absent = {{"egl:zink", "libEGL.so.1 is not installed"}};
+    const std::string devices =
+        "osmesa:llvmpipe\n"
+        "  implementation  llvmpipe (LLVM 15.0.6, 256 bits)\n"
+        "  driver          Mesa 22.3.6\n"
+        "  api             OpenGL 4.5 core, GLSL 450\n"
+        "  compiler        LLVM 15.0.6, 256 bits\n"
+        "  features        glsl, compute\n"
+        "  float controls  RoundingModeRTE\n"
+        "  fingerprint     " +
+        Fingerprint(Llvmpipe()) +
+        "\n"
+        "vulkan:silent@new\n"
+        "  implementation  Silent\n"
+        "  driver          silent 1\n"
+        "  api             Vulkan 1.3.0\n"
+        "  compiler        not told\n"
+        "  features        \n"
+        "  float controls  not told\n"
+        "  fingerprint     " +
+        Fingerprint(Silent()) + "\n";
+    EXPECT_EQ(DevicesText(run, false), devices);
+    EXPECT_EQ(DevicesText(run, true),
+              devices + "not here: egl:zink: libEGL.so.1 is not installed\n");
+}
+
+}  // namespace
+}  // namespace etalon
