@@ -346,7 +346,10 @@ Status<> IsOneExpression(const Call& call) {
         is_broken = is_broken || wanted.text.find("//") != std::string::npos ||
                     wanted.text.find("/*") != std::string::npos;
         if (is_broken || !open.empty()) {
-            return Error{wanted.origin + ": '" + wanted.text + "' is not one GLSL expression"};
+            std::string shown = wanted.text;
+            std::replace_if(
+                shown.begin(), shown.end(), [](unsigned char c) { return c < ' '; }, ' ');
+            return Error{wanted.origin + ": '" + shown + "' is not one GLSL expression"};
         }
     }
     return Ok();

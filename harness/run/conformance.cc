@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <iostream>
 #include <map>
@@ -202,7 +203,35 @@ bool IsPrefixOf(const std::string& pattern, const std::string& path) {
            (path.starts_with(pattern) && (pattern.ends_with('/') || path[pattern.size()] == '/'));
 }
 
+// GoogleTest answers a flag that it does not know with its help on the standard output.
+constexpr std::array kGoogleTestFlags = {"also_run_disabled_tests",
+                                         "break_on_failure",
+                                         "brief",
+                                         "catch_exceptions",
+                                         "color",
+                                         "fail_fast",
+                                         "filter",
+                                         "list_tests",
+                                         "output",
+                                         "print_time",
+                                         "print_utf8",
+                                         "random_seed",
+                                         "recreate_environments_when_repeating",
+                                         "repeat",
+                                         "shuffle",
+                                         "stack_trace_depth",
+                                         "stream_result_to",
+                                         "throw_on_failure"};
+
 Status<> InitGoogleTest(const std::vector<std::string>& arguments) {
+    for (const std::string& argument : arguments) {
+        const std::string_view prefix = "--gtest_";
+        const std::string name = argument.substr(prefix.size(), argument.find('=') - prefix.size());
+        if (std::find(kGoogleTestFlags.begin(), kGoogleTestFlags.end(), name) ==
+            kGoogleTestFlags.end()) {
+            return Error{"GoogleTest knows no flag '" + argument + "'"};
+        }
+    }
     std::vector<std::string> words = {"etalon"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
@@ -213,10 +242,6 @@ Status<> InitGoogleTest(const std::vector<std::string>& arguments) {
     pointers.push_back(nullptr);
     int count = static_cast<int>(words.size());
     ::testing::InitGoogleTest(&count, pointers.data());
-    // What GoogleTest knows it takes out.
-    if (count > 1) {
-        return Error{std::string("GoogleTest knows no flag '") + pointers[1] + "'"};
-    }
     return Ok();
 }
 

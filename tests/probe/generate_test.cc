@@ -57,7 +57,7 @@ TEST(Generate, KeepsTheUsersTextInPiecesOfItsOwn) {
         int calls = 0;
         for (const Piece& piece : pieces) {
             if (piece.name == "CALL") {
-                EXPECT_EQ(piece.text, "f(x)");
+                EXPECT_THAT(piece.text, ::testing::StartsWith("f(x)"));
                 ++calls;
             } else if (piece.name == kGenerated) {
                 EXPECT_THAT(piece.text, Not(HasSubstr("f(x)")));
