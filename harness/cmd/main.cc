@@ -9,11 +9,13 @@
 #include <iostream>
 #include <new>
 #include <string_view>
+#include <thread>
 
 #include "base/file.h"
 #include "base/format.h"
 #include "report/json.h"
 #include "report/text.h"
+#include "run/case_choice.h"
 #include "run/conformance.h"
 #include "run/probe.h"
 #include "worker/serve.h"
@@ -244,6 +246,11 @@ int Main(std::vector<std::string> arguments) {
         ->allow_extra_args(false);
     run->add_option("--at", run_choice.at, "run one case at one input: 'n1=1,n2=0x1.8p+0'");
     run->add_option("--json", json, "write all records to FILE")->type_name("FILE");
+    run_choice.jobs = std::max(1u, std::thread::hardware_concurrency());
+    run->add_option("-j,--jobs", run_choice.jobs, "devices at work at the same time")
+        ->capture_default_str()
+        ->check(Within(1, 1024))
+        ->type_name("N");
     run->add_flag("--verbose", run_choice.verbose, "a line for each test");
     devices.AddTo(*run);
 

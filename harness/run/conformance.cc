@@ -7,14 +7,17 @@
 #include <chrono>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <set>
 
 #include "base/file.h"
 #include "base/format.h"
 #include "report/text.h"
+#include "run/case_choice.h"
 #include "run/case_run.h"
 #include "run/fit.h"
 #include "run/progress.h"
+#include "run/schedule.h"
 
 namespace etalon {
 namespace {
@@ -23,47 +26,50 @@ namespace {
 // compiler its own copy.
 constexpr std::uint64_t kBakedRows = 6;
 
+// One test: a case on a device by a recipe.
+struct Planned {
+    std::size_t case_index = 0;
+    Session* session = nullptr;
+    Result<Recipe> recipe;  // as it fits the device; the error is the reason of a skip
+    std::string recipe_text;
+    std::string name;  // "suite.test"
+};
+
 // Everything that the tests share while they run.
 struct Shared {
     std::vector<PreparedCase> cases;
-    std::map<std::size_t, PreparedCase> thin;  // of baked recipes, made on first use
+    std::map<std::size_t, PreparedCase> thin;  // of the cases that have a baked recipe
     DeviceSet devices;
     RepeatContext repeat;
+    std::vector<Planned> plan;
+    std::map<std::size_t, std::size_t> jobs;  // index in the plan -> index in the schedule
+    std::unique_ptr<Schedule> schedule;
     RunRecord record;
 
-    const PreparedCase& CaseFor(std::size_t index, const Recipe& recipe) {
-        if (!recipe.baked) {
-            return cases[index];
+    Record Run(const Planned& planned) const {
+        if (planned.recipe) {
+            const PreparedCase& prepared =
+                planned.recipe->baked ? thin.at(planned.case_index) : cases[planned.case_index];
+            return RunCase(prepared, *planned.session, *planned.recipe, repeat);
         }
-        const auto known = thin.find(index);
-        return known != thin.end()
-                   ? known->second
-                   : thin.emplace(index, Thin(cases[index], kBakedRows)).first->second;
+        Record skipped;
+        skipped.case_path = cases[planned.case_index].source.path;
+        skipped.device = planned.session->info().name;
+        skipped.recipe = planned.recipe_text;
+        skipped.verdict = Verdict::kSkip;
+        skipped.reason = planned.recipe.error().message;
+        return skipped;
     }
 };
 
 class CaseTest : public ::testing::Test {
   public:
-    CaseTest(Shared& shared, std::size_t index, Session& session, Result<Recipe> recipe,
-             std::string wanted)
-        : shared_(shared),
-          index_(index),
-          session_(session),
-          recipe_(std::move(recipe)),
-          wanted_(std::move(wanted)) {}
+    CaseTest(Shared& shared, std::size_t index) : shared_(shared), index_(index) {}
 
     void TestBody() override {
-        Record record;
-        if (recipe_) {
-            record = RunCase(shared_.CaseFor(index_, *recipe_), session_, *recipe_, shared_.repeat);
-        } else {
-            record.case_path = shared_.cases[index_].source.path;
-            record.device = session_.info().name;
-            record.recipe = wanted_;
-            record.verdict = Verdict::kSkip;
-            record.reason = recipe_.error().message;
-        }
+        const Record record = shared_.schedule->Take(shared_.jobs.at(index_));
         RecordProperty("verdict", std::string(VerdictName(record.verdict)));
+        RecordProperty("seed", std::to_string(record.seed));
         if (record.worst) {
             RecordProperty("worst_ulp_error", ShortNumber(record.worst->ulp_error));
             RecordProperty("margin", ShortNumber(1 - record.worst->used));
@@ -87,9 +93,40 @@ class CaseTest : public ::testing::Test {
   private:
     Shared& shared_;
     std::size_t index_;
-    Session& session_;
-    Result<Recipe> recipe_;
-    std::string wanted_;
+};
+
+// Starts the tests that GoogleTest has selected on all cores, ahead of their turn.
+class Starter : public ::testing::EmptyTestEventListener {
+  public:
+    Starter(Shared& shared, unsigned threads) : shared_(shared), threads_(threads) {}
+
+    void OnTestIterationStart(const ::testing::UnitTest& tests, int) override {
+        std::set<std::string> selected;
+        for (int i = 0; i < tests.total_test_suite_count(); ++i) {
+            const ::testing::TestSuite& suite = *tests.GetTestSuite(i);
+            for (int k = 0; k < suite.total_test_count(); ++k) {
+                if (suite.GetTestInfo(k)->should_run()) {
+                    selected.insert(std::string(suite.name()) + "." + suite.GetTestInfo(k)->name());
+                }
+            }
+        }
+        std::vector<Schedule::Job> jobs;
+        shared_.jobs.clear();
+        for (std::size_t i = 0; i < shared_.plan.size(); ++i) {
+            const Planned& planned = shared_.plan[i];
+            if (selected.contains(planned.name)) {
+                shared_.jobs[i] = jobs.size();
+                jobs.push_back(
+                    {planned.session, [this, &planned] { return shared_.Run(planned); }});
+            }
+        }
+        shared_.schedule = std::make_unique<Schedule>(std::move(jobs), threads_);
+    }
+    void OnTestIterationEnd(const ::testing::UnitTest&, int) override { shared_.schedule.reset(); }
+
+  private:
+    Shared& shared_;
+    unsigned threads_;
 };
 
 // A device's or recipe's name as part of a test's: ':' and '-' have a meaning in --gtest_filter.
@@ -100,15 +137,18 @@ std::string TestName(const std::string& device, const std::string& recipe) {
     return name;
 }
 
-void Register(Shared& shared, std::size_t index, Session& session, const Recipe& wanted) {
-    const Result<Recipe> fitted = FitRecipe(wanted, session.info());
-    const std::string text = RecipeText(fitted ? *fitted : wanted);
-    const PreparedCase& prepared = shared.cases[index];
-    ::testing::RegisterTest(prepared.source.path.c_str(),
-                            TestName(session.info().name, text).c_str(), nullptr, nullptr, __FILE__,
-                            __LINE__, [&shared, index, &session, fitted, text]() -> CaseTest* {
-                                return new CaseTest(shared, index, session, fitted, text);
-                            });
+void Register(Shared& shared, Planned planned) {
+    const std::string suite = shared.cases[planned.case_index].source.path;
+    const std::string test = TestName(planned.session->info().name, planned.recipe_text);
+    planned.name = suite + "." + test;
+    if (planned.recipe && planned.recipe->baked && !shared.thin.contains(planned.case_index)) {
+        shared.thin.emplace(planned.case_index, Thin(shared.cases[planned.case_index], kBakedRows));
+    }
+    const std::size_t index = shared.plan.size();
+    shared.plan.push_back(std::move(planned));
+    ::testing::RegisterTest(
+        suite.c_str(), test.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+        [&shared, index]() -> CaseTest* { return new CaseTest(shared, index); });
 }
 
 Result<std::vector<Recipe>> RecipesFor(const Case& source, const std::vector<std::string>& chosen,
@@ -144,7 +184,7 @@ Status<> RegisterAll(Shared& shared, const RunChoice& choice) {
                 const std::string name = RecipeText(fitted ? *fitted : recipe);
                 if (std::find(names.begin(), names.end(), name) == names.end()) {
                     names.push_back(name);
-                    Register(shared, index, *session, recipe);
+                    Register(shared, {index, session.get(), fitted, name, ""});
                 }
             }
         }
@@ -198,11 +238,6 @@ class Listener : public ::testing::EmptyTestEventListener {
     std::set<std::string> told_;
 };
 
-bool IsPrefixOf(const std::string& pattern, const std::string& path) {
-    return path == pattern ||
-           (path.starts_with(pattern) && (pattern.ends_with('/') || path[pattern.size()] == '/'));
-}
-
 // GoogleTest answers a flag that it does not know with its help on the standard output.
 constexpr std::array kGoogleTestFlags = {"also_run_disabled_tests",
                                          "break_on_failure",
@@ -246,49 +281,6 @@ Status<> InitGoogleTest(const std::vector<std::string>& arguments) {
 }
 
 }  // namespace
-
-Result<std::filesystem::path> FindRoot(const std::filesystem::path& from) {
-    std::error_code ignored;
-    for (std::filesystem::path folder = std::filesystem::absolute(from, ignored);;
-         folder = folder.parent_path()) {
-        if (std::filesystem::is_directory(folder / "cases", ignored)) {
-            const std::filesystem::path near = std::filesystem::proximate(folder, ignored);
-            // The folder that the user stands in has no name, so that paths read "cases/x.toml".
-            return near == "." ? std::filesystem::path() : near;
-        }
-        if (folder == folder.parent_path()) {
-            return Error{
-                "no folder 'cases' here or above; --root DIR names the folder that holds it"};
-        }
-    }
-}
-
-Result<std::vector<std::string>> ChooseCases(const std::filesystem::path& root,
-                                             const std::vector<std::string>& patterns) {
-    ETALON_TRY(all, ListCases(root));
-    if (patterns.empty()) {
-        if (all.empty()) {
-            return Error{(root / "cases").string() + ": holds no case"};
-        }
-        return all;
-    }
-    std::vector<std::string> chosen;
-    for (const std::string& pattern : patterns) {
-        bool any = false;
-        for (const std::string& path : all) {
-            if (IsPrefixOf(pattern, path) || GlobMatches(pattern, path)) {
-                any = true;
-                chosen.push_back(path);
-            }
-        }
-        if (!any) {
-            return Error{"no case is called '" + pattern + "'; `etalon list` shows them"};
-        }
-    }
-    std::sort(chosen.begin(), chosen.end());
-    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-    return chosen;
-}
 
 Result<RunOutcome> RunConformance(const RunChoice& choice) {
     const auto start = std::chrono::steady_clock::now();
@@ -334,6 +326,7 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     if (!outcome.listed_only) {
         ::testing::TestEventListeners& listeners = tests.listeners();
         delete listeners.Release(listeners.default_result_printer());
+        listeners.Append(new Starter(shared, choice.jobs));
         listeners.Append(
             new Listener(shared.record.records, choice.verbose, tests.total_test_count()));
     }

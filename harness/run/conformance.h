@@ -18,14 +18,10 @@ struct RunChoice {
     std::vector<std::string> recipes;  // empty: the case's own, else the device's default set
     std::string at;                    // run at this one input only
     DeviceChoice devices;
+    unsigned jobs = 1;                         // devices at work at the same time
     std::vector<std::string> gtest_arguments;  // "--gtest_..." flags
     bool verbose = false;                      // a line per test
 };
-
-// The addresses of the cases that the patterns name, in order; all for no pattern. Fails where one
-// names none.
-Result<std::vector<std::string>> ChooseCases(const std::filesystem::path& root,
-                                             const std::vector<std::string>& patterns);
 
 struct RunOutcome {
     RunRecord record;
@@ -37,8 +33,5 @@ struct RunOutcome {
 // Prepares the cases, opens the devices, registers the tests and runs them. To be called once in a
 // process: GoogleTest's registry is global.
 Result<RunOutcome> RunConformance(const RunChoice& choice);
-
-// The folder at or above `from` that holds a folder "cases".
-Result<std::filesystem::path> FindRoot(const std::filesystem::path& from);
 
 }  // namespace etalon
