@@ -208,9 +208,12 @@ class Evaluation {
         for (std::size_t row = 0; row < rows_; ++row) {
             given[begin + row] = arguments[begin + row].value;
             for (unsigned c = 0; c < node.components; ++c) {
-                const bool known = std::isfinite(arguments[begin + row].error);
-                out[c * kBlock + row].error +=
-                    known ? 2 * static_cast<long double>(spread[c * rows_ + row]) : kInfinity;
+                Bounded& value = out[c * kBlock + row];
+                if (std::isfinite(arguments[begin + row].error)) {
+                    value.error += 2 * spread[c * rows_ + row];
+                } else {
+                    value.error = kInfinity;
+                }
             }
         }
     }

@@ -135,22 +135,33 @@ std::string RelationText(const Law& law) {
     return "";
 }
 
-// The call's outputs against their oracles. False where there was no result to judge.
-bool JudgeOutputs(const PreparedCase& prepared, Session& session, const Recipe& recipe,
-                  Collector& collector, Record& record) {
-    Gathered results(prepared.table.rows, prepared.signature.OutputWords(prepared.call));
+// Evaluates a call at all rows; where that fails, the record says why and nothing is returned.
+std::optional<Gathered> Evaluate(const Call& call, const Signature& signature, const Table& table,
+                                 Session& session, const Recipe& recipe, Record& record) {
+    Gathered results(table.rows, signature.OutputWords(call));
     const auto evaluated = session.Evaluate(
-        prepared.call, prepared.signature, recipe, RowsOfTable(prepared.table),
+        call, signature, recipe, RowsOfTable(table),
         [&](std::uint64_t first, std::uint32_t rows, std::span<const std::uint32_t> words) {
             results.Take(first, rows, words);
         });
     record.flake += session.flake();
     if (!evaluated) {
         SetFailure(evaluated.error(), record);
+        return std::nullopt;
+    }
+    return results;
+}
+
+// The call's outputs against their oracles. False where there was no result to judge.
+bool JudgeOutputs(const PreparedCase& prepared, Session& session, const Recipe& recipe,
+                  Collector& collector, Record& record) {
+    const std::optional<Gathered> results =
+        Evaluate(prepared.call, prepared.signature, prepared.table, session, recipe, record);
+    if (!results) {
         return false;
     }
     for (const JudgedColumn& column : prepared.judged) {
-        const std::span<const std::uint32_t> words = results.Column(column.column);
+        const std::span<const std::uint32_t> words = results->Column(column.column);
         Summary summary;
         JudgeColumn(column.accept, column.scalar, words, column.truth, 0, summary);
         collector.Add(column.name, summary,
@@ -161,20 +172,14 @@ bool JudgeOutputs(const PreparedCase& prepared, Session& session, const Recipe& 
 
 bool JudgeLawRows(const PreparedCase& prepared, const PreparedLaw& law, Session& session,
                   const Recipe& recipe, Collector& collector, Record& record) {
-    Gathered results(prepared.table.rows, law.signature.OutputWords(law.call));
-    const auto evaluated = session.Evaluate(
-        law.call, law.signature, recipe, RowsOfTable(prepared.table),
-        [&](std::uint64_t first, std::uint32_t rows, std::span<const std::uint32_t> words) {
-            results.Take(first, rows, words);
-        });
-    record.flake += session.flake();
-    if (!evaluated) {
-        SetFailure(evaluated.error(), record);
+    const std::optional<Gathered> results =
+        Evaluate(law.call, law.signature, prepared.table, session, recipe, record);
+    if (!results) {
         return false;
     }
     for (std::size_t i = 0; i < law.pairs.size(); ++i) {
-        const std::span<const std::uint32_t> left = results.Column(law.pairs[i].first);
-        const std::span<const std::uint32_t> right = results.Column(law.pairs[i].second);
+        const std::span<const std::uint32_t> left = results->Column(law.pairs[i].first);
+        const std::span<const std::uint32_t> right = results->Column(law.pairs[i].second);
         Summary summary;
         for (std::uint64_t row = 0; row < prepared.table.rows; ++row) {
             summary.Add(row, JudgeLaw(law.law, law.scalars[i], left[row], right[row]));
