@@ -212,7 +212,7 @@ class Evaluation {
                 if (std::isfinite(arguments[begin + row].error)) {
                     value.error += 2 * spread[c * rows_ + row];
                 } else {
-                    value.error = kInfinity;
+                    value.error = std::numeric_limits<long double>::infinity();
                 }
             }
         }
