@@ -122,8 +122,8 @@ int ListDevices(const DeviceOptions& options, bool json, bool all) {
         return Complain(devices.error().message);
     }
     RunRecord record;
-    for (const auto& session : devices->sessions) {
-        record.devices.push_back(session->info());
+    for (const auto& runner : devices->runners) {
+        record.devices.push_back(runner->info());
     }
     record.absent = devices->absent;
     std::cout << (json ? DevicesJson(record) : DevicesText(record, all));

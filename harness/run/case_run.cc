@@ -137,14 +137,14 @@ std::string RelationText(const Law& law) {
 
 // Evaluates a call at all rows; where that fails, the record says why and nothing is returned.
 std::optional<Gathered> Evaluate(const Call& call, const Signature& signature, const Table& table,
-                                 Session& session, const Recipe& recipe, Record& record) {
+                                 Runner& runner, const Recipe& recipe, Record& record) {
     Gathered results(table.rows, signature.OutputWords(call));
-    const auto evaluated = session.Evaluate(
+    const auto evaluated = runner.Evaluate(
         call, signature, recipe, RowsOfTable(table),
         [&](std::uint64_t first, std::uint32_t rows, std::span<const std::uint32_t> words) {
             results.Take(first, rows, words);
         });
-    record.flake += session.flake();
+    record.flake += runner.flake();
     if (!evaluated) {
         SetFailure(evaluated.error(), record);
         return std::nullopt;
@@ -153,10 +153,10 @@ std::optional<Gathered> Evaluate(const Call& call, const Signature& signature, c
 }
 
 // The call's outputs against their oracles. False where there was no result to judge.
-bool JudgeOutputs(const PreparedCase& prepared, Session& session, const Recipe& recipe,
+bool JudgeOutputs(const PreparedCase& prepared, Runner& runner, const Recipe& recipe,
                   Collector& collector, Record& record) {
     const std::optional<Gathered> results =
-        Evaluate(prepared.call, prepared.signature, prepared.table, session, recipe, record);
+        Evaluate(prepared.call, prepared.signature, prepared.table, runner, recipe, record);
     if (!results) {
         return false;
     }
@@ -170,10 +170,10 @@ bool JudgeOutputs(const PreparedCase& prepared, Session& session, const Recipe& 
     return true;
 }
 
-bool JudgeLawRows(const PreparedCase& prepared, const PreparedLaw& law, Session& session,
+bool JudgeLawRows(const PreparedCase& prepared, const PreparedLaw& law, Runner& runner,
                   const Recipe& recipe, Collector& collector, Record& record) {
     const std::optional<Gathered> results =
-        Evaluate(law.call, law.signature, prepared.table, session, recipe, record);
+        Evaluate(law.call, law.signature, prepared.table, runner, recipe, record);
     if (!results) {
         return false;
     }
@@ -245,12 +245,12 @@ void ApplyExpectation(const ExpectedFailure& expected, Record& record) {
 
 }  // namespace
 
-Record RunCase(const PreparedCase& prepared, Session& session, const Recipe& recipe,
+Record RunCase(const PreparedCase& prepared, Runner& runner, const Recipe& recipe,
                const RepeatContext& context) {
     const auto start = std::chrono::steady_clock::now();
     Record record;
     record.case_path = prepared.source.path;
-    record.device = session.info().name;
+    record.device = runner.info().name;
     record.recipe = RecipeText(recipe);
     record.family = prepared.source.family;
     record.seed = prepared.source.seed;
@@ -258,10 +258,10 @@ Record RunCase(const PreparedCase& prepared, Session& session, const Recipe& rec
     Collector collector(prepared, record);
     bool complete = true;
     if (!prepared.judged.empty()) {
-        complete = JudgeOutputs(prepared, session, recipe, collector, record);
+        complete = JudgeOutputs(prepared, runner, recipe, collector, record);
     }
     for (const PreparedLaw& law : prepared.laws) {
-        complete = complete && JudgeLawRows(prepared, law, session, recipe, collector, record);
+        complete = complete && JudgeLawRows(prepared, law, runner, recipe, collector, record);
     }
     if (complete) {
         ETALON_CHECK(record.judged > 0);

@@ -6,7 +6,7 @@
 
 #include "report/record.h"
 #include "run/prepared_case.h"
-#include "run/session.h"
+#include "run/runner.h"
 
 namespace etalon {
 
@@ -17,7 +17,7 @@ struct RepeatContext {
 };
 
 // Never fails: whatever happens is a verdict. Expected failures of the case are taken into account.
-Record RunCase(const PreparedCase& prepared, Session& session, const Recipe& recipe,
+Record RunCase(const PreparedCase& prepared, Runner& runner, const Recipe& recipe,
                const RepeatContext& context);
 
 }  // namespace etalon

@@ -29,7 +29,7 @@ constexpr std::uint64_t kBakedRows = 6;
 // One test: a case on a device by a recipe.
 struct Planned {
     std::size_t case_index = 0;
-    Session* session = nullptr;
+    Runner* runner = nullptr;
     Result<Recipe> recipe;  // as it fits the device; the error is the reason of a skip
     std::string recipe_text;
     std::string name;  // "suite.test"
@@ -50,11 +50,11 @@ struct Shared {
         if (planned.recipe) {
             const PreparedCase& prepared =
                 planned.recipe->baked ? thin.at(planned.case_index) : cases[planned.case_index];
-            return RunCase(prepared, *planned.session, *planned.recipe, repeat);
+            return RunCase(prepared, *planned.runner, *planned.recipe, repeat);
         }
         Record skipped;
         skipped.case_path = cases[planned.case_index].source.path;
-        skipped.device = planned.session->info().name;
+        skipped.device = planned.runner->info().name;
         skipped.recipe = planned.recipe_text;
         skipped.verdict = Verdict::kSkip;
         skipped.reason = planned.recipe.error().message;
@@ -116,8 +116,7 @@ class Starter : public ::testing::EmptyTestEventListener {
             const Planned& planned = shared_.plan[i];
             if (selected.contains(planned.name)) {
                 shared_.jobs[i] = jobs.size();
-                jobs.push_back(
-                    {planned.session, [this, &planned] { return shared_.Run(planned); }});
+                jobs.push_back({planned.runner, [this, &planned] { return shared_.Run(planned); }});
             }
         }
         shared_.schedule = std::make_unique<Schedule>(std::move(jobs), threads_);
@@ -139,7 +138,7 @@ std::string TestName(const std::string& device, const std::string& recipe) {
 
 void Register(Shared& shared, Planned planned) {
     const std::string suite = shared.cases[planned.case_index].source.path;
-    const std::string test = TestName(planned.session->info().name, planned.recipe_text);
+    const std::string test = TestName(planned.runner->info().name, planned.recipe_text);
     planned.name = suite + "." + test;
     if (planned.recipe && planned.recipe->baked && !shared.thin.contains(planned.case_index)) {
         shared.thin.emplace(planned.case_index, Thin(shared.cases[planned.case_index], kBakedRows));
@@ -172,19 +171,19 @@ Result<std::vector<Recipe>> RecipesFor(const Case& source, const std::vector<std
 // Two wanted recipes may fit a device in the same way; one test is enough.
 Status<> RegisterAll(Shared& shared, const RunChoice& choice) {
     for (std::size_t index = 0; index < shared.cases.size(); ++index) {
-        for (const auto& session : shared.devices.sessions) {
+        for (const auto& runner : shared.devices.runners) {
             ETALON_TRY(recipes,
-                       RecipesFor(shared.cases[index].source, choice.recipes, session->info()));
+                       RecipesFor(shared.cases[index].source, choice.recipes, runner->info()));
             std::vector<std::string> names;
             for (Recipe recipe : recipes) {
                 if (shared.cases[index].signature.stage == Stage::kFragment) {
                     recipe.stage = Stage::kFragment;
                 }
-                const Result<Recipe> fitted = FitRecipe(recipe, session->info());
+                const Result<Recipe> fitted = FitRecipe(recipe, runner->info());
                 const std::string name = RecipeText(fitted ? *fitted : recipe);
                 if (std::find(names.begin(), names.end(), name) == names.end()) {
                     names.push_back(name);
-                    Register(shared, {index, session.get(), fitted, name, ""});
+                    Register(shared, {index, runner.get(), fitted, name, ""});
                 }
             }
         }
@@ -312,8 +311,8 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     if (choice.devices.limits.memory_bytes != WorkerLimits{}.memory_bytes) {
         shared.repeat.options += format(" --memory {}", choice.devices.limits.memory_bytes >> 20);
     }
-    for (const auto& session : shared.devices.sessions) {
-        shared.record.devices.push_back(session->info());
+    for (const auto& runner : shared.devices.runners) {
+        shared.record.devices.push_back(runner->info());
     }
     shared.record.absent = shared.devices.absent;
     shared.record.version = ETALON_VERSION;

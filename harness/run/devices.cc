@@ -111,13 +111,13 @@ Result<DeviceSet> OpenDevices(const DeviceChoice& choice) {
             }
         }
         const bool twin =
-            std::any_of(set.sessions.begin(), set.sessions.end(),
-                        [&](const auto& session) { return session->info().name == info->name; });
+            std::any_of(set.runners.begin(), set.runners.end(),
+                        [&](const auto& runner) { return runner->info().name == info->name; });
         if (twin) {
             set.absent.push_back({CandidateName(candidate), "is " + info->name + " once more"});
             continue;
         }
-        set.sessions.push_back(std::make_unique<Session>(std::move(clients[i]), *info));
+        set.runners.push_back(std::make_unique<Runner>(std::move(clients[i]), *info));
         // Where only plain names are asked for and all are found, the rest need not be waited for.
         if (!choice.patterns.empty() && unmatched.empty() &&
             std::all_of(choice.patterns.begin(), choice.patterns.end(), IsPlainName)) {
@@ -126,9 +126,9 @@ Result<DeviceSet> OpenDevices(const DeviceChoice& choice) {
     }
     for (const Driver& driver : choice.drivers) {
         const std::string mark = "@" + driver.name;
-        const bool any =
-            std::any_of(set.sessions.begin(), set.sessions.end(),
-                        [&](const auto& one) { return one->info().name.ends_with(mark); });
+        const bool any = std::any_of(set.runners.begin(), set.runners.end(), [&](const auto& one) {
+            return one->info().name.ends_with(mark);
+        });
         const auto why = std::find_if(set.absent.begin(), set.absent.end(),
                                       [&](const auto& note) { return note.name.ends_with(mark); });
         if (!any && why != set.absent.end()) {
@@ -144,7 +144,7 @@ Result<DeviceSet> OpenDevices(const DeviceChoice& choice) {
         return Error{"no device is called '" + *unmatched.begin() +
                      "'; `etalon devices --all` tells what is here and what was tried" + hint};
     }
-    if (set.sessions.empty()) {
+    if (set.runners.empty()) {
         return Error{"no device was found on this machine; `etalon devices` tells what was tried"};
     }
     return set;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "report/record.h"
-#include "run/session.h"
+#include "run/runner.h"
 #include "worker/client.h"
 
 namespace etalon {
@@ -19,7 +19,7 @@ struct DeviceChoice {
 };
 
 struct DeviceSet {
-    std::vector<std::unique_ptr<Session>> sessions;
+    std::vector<std::unique_ptr<Runner>> runners;
     std::vector<DeviceNote> absent;  // candidates that are no devices here, and why
 };
 

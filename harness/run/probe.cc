@@ -192,25 +192,25 @@ class Probe {
           outputs_(OutputColumns(request.call, request.signature)) {}
 
     // An error where the user's input is at fault; all else is counted.
-    Status<> RunOn(Session& session, Recipe recipe) {
+    Status<> RunOn(Runner& runner, Recipe recipe) {
         if (request_.signature.stage == Stage::kFragment) {
             recipe.stage = Stage::kFragment;
         }
-        const std::string& device = session.info().name;
-        const Result<Recipe> fitted = FitRecipe(recipe, session.info());
+        const std::string& device = runner.info().name;
+        const Result<Recipe> fitted = FitRecipe(recipe, runner.info());
         if (!fitted) {
             notes_ << "skipped: " << fitted.error().message << "\n";
             return Ok();
         }
         const std::string text = RecipeText(*fitted);
         const Rows rows{request_.words, request_.rows, inputs_.size()};
-        const auto evaluated = session.Evaluate(
+        const auto evaluated = runner.Evaluate(
             request_.call, request_.signature, *fitted, rows,
             [&](std::uint64_t first, std::uint32_t count, std::span<const std::uint32_t> words) {
                 Write(device, text, first, count, words);
             });
-        if (!session.flake().empty()) {
-            notes_ << device << " (" << text << ") failed once and not again: " << session.flake()
+        if (!runner.flake().empty()) {
+            notes_ << device << " (" << text << ") failed once and not again: " << runner.flake()
                    << "\n";
         }
         if (evaluated) {
@@ -297,11 +297,11 @@ Result<int> RunProbe(const ProbeChoice& choice, std::ostream& out, std::ostream&
     ETALON_TRY(devices, OpenDevices(choice.devices));
     TableWriter table(choice.csv, out);
     Probe probe(request, table, notes);
-    for (const auto& session : devices.sessions) {
+    for (const auto& runner : devices.runners) {
         const std::vector<Recipe> wanted =
-            recipes.empty() ? std::vector<Recipe>{DefaultRecipe(session->info())} : recipes;
+            recipes.empty() ? std::vector<Recipe>{DefaultRecipe(runner->info())} : recipes;
         for (const Recipe& recipe : wanted) {
-            ETALON_TRY_STEP(probe.RunOn(*session, recipe));
+            ETALON_TRY_STEP(probe.RunOn(*runner, recipe));
         }
     }
     if (probe.ran() == 0 && probe.failed() == 0) {

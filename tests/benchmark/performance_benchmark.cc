@@ -25,7 +25,7 @@ constexpr const char* kDevice = "vulkan:llvmpipe";
 
 // Everything of one checked function of one float: device, oracle, judge.
 struct Checked {
-    std::unique_ptr<Session> session;
+    std::unique_ptr<Runner> runner;
     Call call;
     Signature signature;
     Recipe recipe;
@@ -46,12 +46,12 @@ Checked Open() {
     Checked checked;
     DeviceChoice choice;
     choice.patterns = {kDevice};
-    checked.session = std::move(OrEnd(OpenDevices(choice)).sessions.front());
+    checked.runner = std::move(OrEnd(OpenDevices(choice)).runners.front());
     checked.call.source = std::string(ETALON_ROOT) + "/shaders/optics/fresnel.glsl";
     checked.call.arguments = {{"cos_i", "float", true, false}};
     checked.call.wanted = {{"result", "fresnel_reflectance(1.0, 1.5, cos_i)", "CALL"}};
     checked.signature = OrEnd(Inspect(checked.call));
-    checked.recipe = DefaultRecipe(checked.session->info());
+    checked.recipe = DefaultRecipe(checked.runner->info());
     checked.truth = OrEnd(Expression::Parse("fresnel.reflectance(1, 1.5, cos_i)"));
     const Symbol symbol{"cos_i", 1};
     OrEnd(checked.truth.Bind({&symbol, 1}));
@@ -95,7 +95,7 @@ void CheckedValues(benchmark::State& state) {
             input = bits;
             bits = bits + 1 < ToBits(1.0f) ? bits + 1 : ToBits(0.25f);
         }
-        const auto evaluated = checked.session->Evaluate(
+        const auto evaluated = checked.runner->Evaluate(
             checked.call, checked.signature, checked.recipe, {inputs, rows, 1},
             [&](std::uint64_t first, std::uint32_t count, std::span<const std::uint32_t> words) {
                 std::vector<std::future<Summary>> judged;
@@ -134,7 +134,7 @@ void EvaluatedValues(benchmark::State& state) {
     const auto rows = static_cast<std::uint32_t>(state.range(0));
     const std::vector<std::uint32_t> inputs(rows, ToBits(0.5f));
     for (auto _ : state) {
-        benchmark::DoNotOptimize(checked.session->Evaluate(
+        benchmark::DoNotOptimize(checked.runner->Evaluate(
             checked.call, checked.signature, checked.recipe, {inputs, rows, 1},
             [](std::uint64_t, std::uint32_t, std::span<const std::uint32_t>) {}));
     }

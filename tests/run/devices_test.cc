@@ -21,8 +21,8 @@ DeviceChoice Choose(std::vector<std::string> patterns) {
 
 std::vector<std::string> Names(const DeviceSet& set) {
     std::vector<std::string> names;
-    for (const auto& session : set.sessions) {
-        names.push_back(session->info().name);
+    for (const auto& runner : set.runners) {
+        names.push_back(runner->info().name);
     }
     return names;
 }

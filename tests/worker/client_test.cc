@@ -57,9 +57,9 @@ Program Shape(std::uint32_t input_words, std::uint32_t output_words) {
 }
 
 // A client of the null device, from its start to the answer of a run of one row.
-class Session {
+class Served {
   public:
-    explicit Session(Candidate candidate, WorkerLimits limits = Limits(kLong))
+    explicit Served(Candidate candidate, WorkerLimits limits = Limits(kLong))
         : client(ProgramPath(), std::move(candidate), limits) {
         const auto started = client.Start();
         EXPECT_TRUE(started) << started.error().message;
@@ -95,21 +95,21 @@ bool Eventually(const std::function<bool()>& holds) {
 
 TEST(Client, EchoesAMillionRowsToTheBit) {
     constexpr std::uint32_t kRows = 1u << 20;
-    Session session(Null("echo"));
-    const auto info = session.client.Open();
+    Served served(Null("echo"));
+    const auto info = served.client.Open();
     ASSERT_TRUE(info) << info.error().reason;
     EXPECT_TRUE(info->Has("compute"));
     EXPECT_EQ(info->glsl_version, 450u);
-    const auto handle = session.client.Load(Shape(2, 3));
+    const auto handle = served.client.Load(Shape(2, 3));
     ASSERT_TRUE(handle);
     for (const std::uint32_t rows : {1u, kRows, 1000u}) {  // grows, then uses less
-        const auto inputs = session.client.Inputs(rows, 2, 3);
+        const auto inputs = served.client.Inputs(rows, 2, 3);
         ASSERT_EQ(inputs.size(), std::size_t{rows} * 2);
         std::uint32_t word = rows;
         for (std::uint32_t& input : inputs) {
             input = word = word * 1664525u + 1013904223u;
         }
-        const auto outputs = session.client.Run(*handle);
+        const auto outputs = served.client.Run(*handle);
         ASSERT_TRUE(outputs) << outputs.error().reason;
         ASSERT_EQ(outputs->size(), std::size_t{rows} * 3);
         EXPECT_TRUE(std::equal(inputs.begin(), inputs.end(), outputs->begin()));
@@ -119,98 +119,98 @@ TEST(Client, EchoesAMillionRowsToTheBit) {
 }
 
 TEST(Client, KeepsSeveralProgramsAndPassesBigOnes) {
-    Session session(Null("echo"));
-    ASSERT_TRUE(session.client.Open());
+    Served served(Null("echo"));
+    ASSERT_TRUE(served.client.Open());
     Program big = Shape(1, 2);
     big.glsl.assign(10u << 20, 'x');
-    const auto first = session.client.Load(big);
-    const auto second = session.client.Load(Shape(0, 1));
+    const auto first = served.client.Load(big);
+    const auto second = served.client.Load(Shape(0, 1));
     ASSERT_TRUE(first && second);
-    session.client.Inputs(1, 1, 2)[0] = 5;
-    const auto fives = session.client.Run(*first);
+    served.client.Inputs(1, 1, 2)[0] = 5;
+    const auto fives = served.client.Run(*first);
     ASSERT_TRUE(fives);
     EXPECT_EQ((*fives)[1], 5u);
-    session.client.Inputs(1, 0, 1);
-    const auto zero = session.client.Run(*second);
+    served.client.Inputs(1, 0, 1);
+    const auto zero = served.client.Run(*second);
     ASSERT_TRUE(zero);
     EXPECT_EQ((*zero)[0], 0u);
 }
 
 TEST(Client, OpensSeveralAtOnce) {
-    std::vector<std::unique_ptr<Session>> sessions(4);
-    for (auto& session : sessions) {
-        session = std::make_unique<Session>(Null("echo"));
+    std::vector<std::unique_ptr<Served>> all_served(4);
+    for (auto& served : all_served) {
+        served = std::make_unique<Served>(Null("echo"));
     }
     EXPECT_THAT(Children(), SizeIs(4));
-    for (const auto& session : sessions) {
-        EXPECT_TRUE(session->Run());
+    for (const auto& served : all_served) {
+        EXPECT_TRUE(served->Run());
     }
 }
 
 TEST(Client, PassesOnARefusalAndLivesOn) {
-    Session rejects(Null("rejects"));
+    Served rejects(Null("rejects"));
     const WorkerFailure rejected = rejects.Failure();
     EXPECT_EQ(rejected.kind, Kind::kRejected);
     EXPECT_EQ(rejected.reason, "the null device rejects every program\n0:1: as it was told");
     EXPECT_TRUE(rejects.client.alive());
     EXPECT_EQ(rejects.Failure().kind, Kind::kRejected);
 
-    Session unsupported(Null("unsupported"));
+    Served unsupported(Null("unsupported"));
     EXPECT_EQ(unsupported.Failure().kind, Kind::kUnsupported);
     EXPECT_TRUE(unsupported.client.alive());
 }
 
 TEST(Client, EndsAWorkerThatHasNoDevice) {
-    Session session(Null("sleeps"));
-    const auto opened = session.client.Open();
+    Served served(Null("sleeps"));
+    const auto opened = served.client.Open();
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().kind, Kind::kUnsupported);
     EXPECT_EQ(opened.error().reason, "the null device knows no 'sleeps'");
-    EXPECT_FALSE(session.client.alive());
+    EXPECT_FALSE(served.client.alive());
 }
 
 TEST(Client, TellsOfACrash) {
     for (const char* hint : {"crash", "crash-load", "crash-open"}) {
-        Session session(Null(hint));
-        const WorkerFailure failure = session.Failure();
+        Served served(Null(hint));
+        const WorkerFailure failure = served.Failure();
         EXPECT_EQ(failure.kind, Kind::kCrash) << hint;
         EXPECT_EQ(failure.reason, "ended by signal 11 (Segmentation fault)") << hint;
-        EXPECT_FALSE(session.client.alive());
-        EXPECT_EQ(session.client.Load(Shape(1, 1)).error().kind, Kind::kCrash);
+        EXPECT_FALSE(served.client.alive());
+        EXPECT_EQ(served.client.Load(Shape(1, 1)).error().kind, Kind::kCrash);
     }
     EXPECT_THAT(Children(), IsEmpty());
 }
 
 TEST(Client, TellsOfALostDevice) {
-    Session session(Null("lost"));
-    const WorkerFailure failure = session.Failure();
+    Served served(Null("lost"));
+    const WorkerFailure failure = served.Failure();
     EXPECT_EQ(failure.kind, Kind::kCrash);
     EXPECT_EQ(failure.reason, "lost its device: the null device plays a lost device");
-    EXPECT_FALSE(session.client.alive());
+    EXPECT_FALSE(served.client.alive());
 }
 
 TEST(Client, EndsAWorkerThatHangs) {
-    Session session(Null("hang"), Limits(kShort));
+    Served served(Null("hang"), Limits(kShort));
     const auto start = Clock::now();
-    const WorkerFailure failure = session.Failure();
+    const WorkerFailure failure = served.Failure();
     EXPECT_EQ(failure.kind, Kind::kTimeout);
     EXPECT_EQ(failure.reason, "no answer within 500 ms");
     EXPECT_LT(Clock::now() - start, kShort * 8);
-    EXPECT_FALSE(session.client.alive());
+    EXPECT_FALSE(served.client.alive());
     EXPECT_THAT(Children(), IsEmpty());
 }
 
 TEST(Client, EndsAWorkerThatEatsMemory) {
-    Session session(Null("memory"), Limits(kLong, 256ull << 20));
-    const WorkerFailure failure = session.Failure();
+    Served served(Null("memory"), Limits(kLong, 256ull << 20));
+    const WorkerFailure failure = served.Failure();
     EXPECT_EQ(failure.kind, Kind::kCrash);
     EXPECT_EQ(failure.reason, "used more than 256 MiB of memory");
-    EXPECT_FALSE(session.client.alive());
+    EXPECT_FALSE(served.client.alive());
 }
 
 TEST(Client, LimitsWhatAWorkerCanAllocateAtOnce) {
-    Session session(Null("echo"), Limits(kLong, 256ull << 20));
-    ASSERT_TRUE(session.client.Open());
+    Served served(Null("echo"), Limits(kLong, 256ull << 20));
+    ASSERT_TRUE(served.client.Open());
     const auto children = Children();
     ASSERT_THAT(children, SizeIs(1));
     rlimit limit = {};
@@ -225,53 +225,53 @@ TEST(Client, LimitsWhatAWorkerCanAllocateAtOnce) {
 
 TEST(Client, RestartsForASecondAttempt) {
     for (const char* hint : {"crash-once", "hang-once"}) {
-        Session session(Null(hint), Limits(kShort));
-        const WorkerFailure failure = session.Failure();
+        Served served(Null(hint), Limits(kShort));
+        const WorkerFailure failure = served.Failure();
         EXPECT_TRUE(failure.kind == Kind::kCrash || failure.kind == Kind::kTimeout);
-        ASSERT_TRUE(session.client.Restart(1));
-        EXPECT_TRUE(session.client.alive());
-        const auto answer = session.Run(43);
+        ASSERT_TRUE(served.client.Restart(1));
+        EXPECT_TRUE(served.client.alive());
+        const auto answer = served.Run(43);
         ASSERT_TRUE(answer) << answer.error().reason;
         EXPECT_EQ((*answer)[0], 43u);
     }
 }
 
 TEST(Client, RestartsAWorkerThatLives) {
-    Session session(Null("echo"));
-    ASSERT_TRUE(session.Run());
+    Served served(Null("echo"));
+    ASSERT_TRUE(served.Run());
     const auto before = Children();
-    ASSERT_TRUE(session.client.Start());  // nothing to do
+    ASSERT_TRUE(served.client.Start());  // nothing to do
     EXPECT_EQ(Children(), before);
-    ASSERT_TRUE(session.client.Restart(0));
+    ASSERT_TRUE(served.client.Restart(0));
     EXPECT_THAT(Children(), SizeIs(1));
     EXPECT_NE(Children(), before);
-    EXPECT_TRUE(session.Run());
+    EXPECT_TRUE(served.Run());
 }
 
 TEST(Client, SurvivesAKillFromOutsideDuringARun) {
-    Session session(Null("hang"));
+    Served served(Null("hang"));
     std::thread killer([&] {
         std::this_thread::sleep_for(milliseconds(150));
         for (const pid_t child : Children()) {
             kill(child, SIGKILL);
         }
     });
-    const WorkerFailure failure = session.Failure();
+    const WorkerFailure failure = served.Failure();
     killer.join();
     EXPECT_EQ(failure.kind, Kind::kCrash);
     EXPECT_EQ(failure.reason, "ended by signal 9 (Killed)");
-    ASSERT_TRUE(session.client.Restart(1));
-    EXPECT_TRUE(session.client.Open());
+    ASSERT_TRUE(served.client.Restart(1));
+    EXPECT_TRUE(served.client.Open());
 }
 
 TEST(Client, SurvivesAKillBetweenRequests) {
-    Session session(Null("echo"));
-    ASSERT_TRUE(session.Run());
+    Served served(Null("echo"));
+    ASSERT_TRUE(served.Run());
     const auto children = Children();
     ASSERT_THAT(children, SizeIs(1));
     kill(children[0], SIGKILL);
-    EXPECT_TRUE(Eventually([&] { return !session.client.alive(); }));
-    const auto answer = session.client.Run(0);
+    EXPECT_TRUE(Eventually([&] { return !served.client.alive(); }));
+    const auto answer = served.client.Run(0);
     ASSERT_FALSE(answer);
     EXPECT_EQ(answer.error().kind, Kind::kCrash);
     EXPECT_EQ(answer.error().reason, "ended by signal 9 (Killed)");
@@ -311,13 +311,13 @@ TEST(Client, AWorkerDoesNotOutliveAKilledParent) {
 TEST(Client, LeavesNoDescriptorsAndNoZombies) {
     const auto before = Numbers("/proc/self/fd");
     {
-        Session session(Null("crash-open"));
+        Served served(Null("crash-open"));
         for (int i = 0; i < 30; ++i) {
-            EXPECT_EQ(session.client.Open().error().kind, Kind::kCrash);
-            ASSERT_TRUE(session.client.Restart(0));
+            EXPECT_EQ(served.client.Open().error().kind, Kind::kCrash);
+            ASSERT_TRUE(served.client.Restart(0));
         }
         EXPECT_LE(Numbers("/proc/self/fd").size(), before.size() + 5);
-        Session other(Null("echo"));
+        Served other(Null("echo"));
         EXPECT_TRUE(other.Run());
     }
     EXPECT_EQ(Numbers("/proc/self/fd"), before);
@@ -327,8 +327,8 @@ TEST(Client, LeavesNoDescriptorsAndNoZombies) {
 TEST(Client, PassesNoDescriptorOn) {
     int leaky[2];
     ASSERT_EQ(pipe(leaky), 0);  // without O_CLOEXEC
-    Session session(Faulty("count-descriptors"));
-    const auto answer = session.Run();
+    Served served(Faulty("count-descriptors"));
+    const auto answer = served.Run();
     EXPECT_TRUE(answer) << answer.error().reason;
     close(leaky[0]);
     close(leaky[1]);
@@ -344,10 +344,10 @@ TEST(Client, WorksInAPoorSurrounding) {
         signal(SIGPIPE, SIG_DFL);
         bool good = false;
         {
-            Session session(Null("echo"));
-            const auto answer = session.Run();
+            Served served(Null("echo"));
+            const auto answer = served.Run();
             good = answer && (*answer)[0] == 42;
-            Session crash(Null("crash"));
+            Served crash(Null("crash"));
             good = good && crash.Failure().reason.starts_with("ended");
         }
         _exit(good ? 0 : 1);
@@ -361,8 +361,8 @@ TEST(Client, KeepsADriversChatterToItself) {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     {
-        Session session(Faulty("chatter"));
-        const auto answer = session.Run();
+        Served served(Faulty("chatter"));
+        const auto answer = served.Run();
         EXPECT_TRUE(answer) << answer.error().reason;
     }
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
@@ -370,8 +370,8 @@ TEST(Client, KeepsADriversChatterToItself) {
 }
 
 TEST(Client, QuotesTheLastWords) {
-    Session session(Faulty("last-words"));
-    const auto opened = session.client.Open();
+    Served served(Faulty("last-words"));
+    const auto opened = served.client.Open();
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().kind, Kind::kCrash);
     EXPECT_EQ(opened.error().reason, "exited with status 3: driver: ?no? such card");
@@ -379,28 +379,28 @@ TEST(Client, QuotesTheLastWords) {
 
 TEST(Client, BelievesNoAnswer) {
     for (const char* fault : {"garbage", "endless-answer", "huge-answer"}) {
-        Session session(Faulty(fault));
-        const auto opened = session.client.Open();
+        Served served(Faulty(fault));
+        const auto opened = served.client.Open();
         ASSERT_FALSE(opened);
         EXPECT_EQ(opened.error().kind, Kind::kCrash);
         EXPECT_EQ(opened.error().reason, "sent an answer that makes no sense") << fault;
-        EXPECT_FALSE(session.client.alive());
+        EXPECT_FALSE(served.client.alive());
     }
 }
 
 TEST(Client, DoesNotWaitForAWorkerThatDoesNotListen) {
-    Session session(Faulty("deaf"), Limits(kShort));
-    ASSERT_TRUE(session.client.Open());
+    Served served(Faulty("deaf"), Limits(kShort));
+    ASSERT_TRUE(served.client.Open());
     Program big = Shape(1, 1);
     big.glsl.assign(10u << 20, 'x');
-    const auto loaded = session.client.Load(big);
+    const auto loaded = served.client.Load(big);
     ASSERT_FALSE(loaded);
     EXPECT_EQ(loaded.error().kind, Kind::kTimeout);
 }
 
 TEST(Client, TellsOfAWorkerThatHangsUp) {
-    Session session(Faulty("hang-up"));
-    const auto opened = session.client.Open();
+    Served served(Faulty("hang-up"));
+    const auto opened = served.client.Open();
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().kind, Kind::kCrash);
     EXPECT_EQ(opened.error().reason, "went silent");
@@ -410,8 +410,8 @@ TEST(Client, TellsOfAWorkerThatHangsUp) {
 TEST(Client, EndsWhatAWorkerStarted) {
     pid_t grandchild = 0;
     {
-        Session session(Faulty("fork"));
-        ASSERT_TRUE(session.Run());
+        Served served(Faulty("fork"));
+        ASSERT_TRUE(served.Run());
         const auto grandchildren = ChildrenOf(Children().at(0));
         ASSERT_THAT(grandchildren, SizeIs(1));
         grandchild = grandchildren[0];
@@ -437,16 +437,16 @@ TEST(Client, ReportsAProgramThatDoesNotStart) {
 }
 
 TEST(ClientDeathTest, WantsItsOrder) {
-    Session session(Null("echo"));
-    EXPECT_DEATH((void)session.client.Load(Shape(1, 1)), "internal error");
-    EXPECT_DEATH(session.client.Inputs(0, 1, 1), "internal error");
+    Served served(Null("echo"));
+    EXPECT_DEATH((void)served.client.Load(Shape(1, 1)), "internal error");
+    EXPECT_DEATH(served.client.Inputs(0, 1, 1), "internal error");
 }
 
 TEST(Client, AWrongBatchEndsTheWorkerOnly) {
-    Session session(Null("echo"));
-    ASSERT_TRUE(session.Run());
-    session.client.Inputs(1, 2, 2);  // the program was loaded for one word each
-    const auto answer = session.client.Run(0);
+    Served served(Null("echo"));
+    ASSERT_TRUE(served.Run());
+    served.client.Inputs(1, 2, 2);  // the program was loaded for one word each
+    const auto answer = served.client.Run(0);
     ASSERT_FALSE(answer);
     EXPECT_THAT(answer.error().reason, StartsWith("ended by signal 6 (Aborted): "));
     EXPECT_THAT(answer.error().reason, HasSubstr("internal error"));

@@ -1,4 +1,4 @@
-// Session: one device through a run: compiles for it, runs rows in chunks, starts a fresh worker
+// Runner: one device through a run: compiles for it, runs rows in chunks, starts a fresh worker
 // after a failure.
 #pragma once
 
@@ -36,9 +36,9 @@ struct Rows {
     std::size_t columns = 0;
 };
 
-class Session {
+class Runner {
   public:
-    Session(std::unique_ptr<Client> client, DeviceInfo info);
+    Runner(std::unique_ptr<Client> client, DeviceInfo info);
 
     const DeviceInfo& info() const { return info_; }
 

@@ -1,6 +1,6 @@
 // A device through its faults, from the call to the verdict's reason. No driver: the null device
 // plays them.
-#include "run/session.h"
+#include "run/runner.h"
 
 #include <gmock/gmock.h>
 #include <signal.h>
@@ -18,16 +18,16 @@ namespace {
 using testing::HasSubstr;
 using Kind = EvaluationFailure::Kind;
 
-class SessionTest : public testing::Test {
+class RunnerTest : public testing::Test {
   protected:
-    SessionTest() {
+    RunnerTest() {
         call_.source = folder_.Write("f.glsl", "float f(float x) { return x; }\n");
         call_.arguments = {{"x", "float", true, false}};
         call_.wanted = {{"result", "f(x)", "CALL"}};
         signature_ = *Inspect(call_);
     }
 
-    static Session Open(const std::string& hint, WorkerLimits limits = {}) {
+    static Runner Open(const std::string& hint, WorkerLimits limits = {}) {
         Candidate candidate;
         candidate.backend = "null";
         candidate.hint = hint;
@@ -37,11 +37,11 @@ class SessionTest : public testing::Test {
         EXPECT_TRUE(info) << info.error().reason;
         DeviceInfo told = *info;
         told.max_rows = max_rows_;
-        return Session(std::move(client), told);
+        return Runner(std::move(client), told);
     }
 
     // Evaluates `rows` rows of the words 0, 1, 2, ...; the null device gives them back.
-    Result<Nothing, EvaluationFailure> Evaluate(Session& session, std::uint64_t rows = 3,
+    Result<Nothing, EvaluationFailure> Evaluate(Runner& runner, std::uint64_t rows = 3,
                                                 const std::string& recipe = "spirv") {
         std::vector<std::uint32_t> words(rows);
         for (std::uint64_t row = 0; row < rows; ++row) {
@@ -49,7 +49,7 @@ class SessionTest : public testing::Test {
         }
         results_.assign(rows, ~0u);
         dispatches_ = 0;
-        return session.Evaluate(
+        return runner.Evaluate(
             call_, signature_, *ParseRecipe(recipe), Rows{words, rows, 1},
             [&](std::uint64_t first, std::uint32_t count, std::span<const std::uint32_t> out) {
                 ASSERT_EQ(out.size(), count);
@@ -76,47 +76,47 @@ class SessionTest : public testing::Test {
     int dispatches_ = 0;
 };
 
-TEST_F(SessionTest, GivesEveryRow) {
-    Session session = Open("echo");
+TEST_F(RunnerTest, GivesEveryRow) {
+    Runner runner = Open("echo");
     for (const std::uint64_t rows : {1u, 64u, 1000u}) {
-        ASSERT_TRUE(Evaluate(session, rows));
+        ASSERT_TRUE(Evaluate(runner, rows));
         EXPECT_TRUE(EveryRowCame());
         EXPECT_EQ(dispatches_, 1);
     }
-    EXPECT_EQ(session.flake(), "");
+    EXPECT_EQ(runner.flake(), "");
 }
 
-TEST_F(SessionTest, KeepsTheDevicesLimitOfRows) {
+TEST_F(RunnerTest, KeepsTheDevicesLimitOfRows) {
     max_rows_ = 100;
-    Session session = Open("echo");
+    Runner runner = Open("echo");
     max_rows_ = 1u << 20;
-    ASSERT_TRUE(Evaluate(session, 350));
+    ASSERT_TRUE(Evaluate(runner, 350));
     EXPECT_TRUE(EveryRowCame());
     EXPECT_EQ(dispatches_, 4);
 }
 
-TEST_F(SessionTest, EvaluatesBakedRowsInPieces) {
-    Session session = Open("echo");
+TEST_F(RunnerTest, EvaluatesBakedRowsInPieces) {
+    Runner runner = Open("echo");
     // Baked programs read no input, and the null device answers those with zeros.
-    ASSERT_TRUE(Evaluate(session, 40, "spirv+baked"));
+    ASSERT_TRUE(Evaluate(runner, 40, "spirv+baked"));
     EXPECT_EQ(dispatches_, 3);
     EXPECT_EQ(results_, std::vector<std::uint32_t>(40, 0));
 }
 
-TEST_F(SessionTest, TriesACrashOnceMoreAndTells) {
-    Session session = Open("crash-once");
-    ASSERT_TRUE(Evaluate(session));
+TEST_F(RunnerTest, TriesACrashOnceMoreAndTells) {
+    Runner runner = Open("crash-once");
+    ASSERT_TRUE(Evaluate(runner));
     EXPECT_TRUE(EveryRowCame());
-    EXPECT_EQ(session.flake(), "ended by signal 11 (Segmentation fault)");
+    EXPECT_EQ(runner.flake(), "ended by signal 11 (Segmentation fault)");
     // The flake is that of the last evaluation only; the worker stays the second one.
-    ASSERT_TRUE(Evaluate(session));
-    EXPECT_EQ(session.flake(), "");
+    ASSERT_TRUE(Evaluate(runner));
+    EXPECT_EQ(runner.flake(), "");
 }
 
-TEST_F(SessionTest, LosesNoRowsToAWorkerThatEndedMeanwhile) {
-    Session session = Open("echo");
+TEST_F(RunnerTest, LosesNoRowsToAWorkerThatEndedMeanwhile) {
+    Runner runner = Open("echo");
     for (int i = 0; i < 3; ++i) {
-        ASSERT_TRUE(Evaluate(session));
+        ASSERT_TRUE(Evaluate(runner));
         EXPECT_TRUE(EveryRowCame());
         const std::vector<pid_t> workers = Children();
         ASSERT_EQ(workers.size(), 1u);
@@ -127,94 +127,94 @@ TEST_F(SessionTest, LosesNoRowsToAWorkerThatEndedMeanwhile) {
     }
 }
 
-TEST_F(SessionTest, TriesAHangOnceMoreAndTells) {
-    Session session = Open("hang-once", {std::chrono::milliseconds(300), 2ull << 30});
-    ASSERT_TRUE(Evaluate(session));
+TEST_F(RunnerTest, TriesAHangOnceMoreAndTells) {
+    Runner runner = Open("hang-once", {std::chrono::milliseconds(300), 2ull << 30});
+    ASSERT_TRUE(Evaluate(runner));
     EXPECT_TRUE(EveryRowCame());
-    EXPECT_EQ(session.flake(), "no answer within 300 ms");
+    EXPECT_EQ(runner.flake(), "no answer within 300 ms");
 }
 
-TEST_F(SessionTest, ResumesAtTheChunkThatFailed) {
+TEST_F(RunnerTest, ResumesAtTheChunkThatFailed) {
     max_rows_ = 100;
-    Session session = Open("crash-once");
+    Runner runner = Open("crash-once");
     max_rows_ = 1u << 20;
-    ASSERT_TRUE(Evaluate(session, 250));
+    ASSERT_TRUE(Evaluate(runner, 250));
     EXPECT_TRUE(EveryRowCame());
     EXPECT_EQ(dispatches_, 3);
-    EXPECT_EQ(session.flake(), "ended by signal 11 (Segmentation fault)");
+    EXPECT_EQ(runner.flake(), "ended by signal 11 (Segmentation fault)");
 }
 
-TEST_F(SessionTest, CallsWhatFailsTwiceACrash) {
+TEST_F(RunnerTest, CallsWhatFailsTwiceACrash) {
     for (const auto& [hint, reason] :
          {std::pair("crash", "ended by signal 11 (Segmentation fault)"),
           std::pair("crash-load", "ended by signal 11 (Segmentation fault)"),
           std::pair("lost", "lost its device: the null device plays a lost device")}) {
-        Session session = Open(hint);
+        Runner runner = Open(hint);
         // Each evaluation has its own verdict: the one before leaves nothing behind.
         for (int i = 0; i < 3; ++i) {
-            const auto evaluated = Evaluate(session);
+            const auto evaluated = Evaluate(runner);
             ASSERT_FALSE(evaluated);
             EXPECT_EQ(evaluated.error().kind, Kind::kCrash);
             EXPECT_EQ(evaluated.error().reason, reason);
-            EXPECT_EQ(session.flake(), "");
+            EXPECT_EQ(runner.flake(), "");
             EXPECT_EQ(dispatches_, 0);
         }
     }
 }
 
-TEST_F(SessionTest, CallsAHangATimeout) {
-    Session session = Open("hang", {std::chrono::milliseconds(200), 2ull << 30});
+TEST_F(RunnerTest, CallsAHangATimeout) {
+    Runner runner = Open("hang", {std::chrono::milliseconds(200), 2ull << 30});
     for (int i = 0; i < 2; ++i) {
-        const auto evaluated = Evaluate(session);
+        const auto evaluated = Evaluate(runner);
         ASSERT_FALSE(evaluated);
         EXPECT_EQ(evaluated.error().kind, Kind::kTimeout);
         EXPECT_EQ(evaluated.error().reason, "no answer within 200 ms");
     }
 }
 
-TEST_F(SessionTest, CallsTheEndOfMemoryACrash) {
-    Session session = Open("memory", {std::chrono::seconds(20), 128ull << 20});
-    const auto evaluated = Evaluate(session);
+TEST_F(RunnerTest, CallsTheEndOfMemoryACrash) {
+    Runner runner = Open("memory", {std::chrono::seconds(20), 128ull << 20});
+    const auto evaluated = Evaluate(runner);
     ASSERT_FALSE(evaluated);
     EXPECT_EQ(evaluated.error().kind, Kind::kCrash);
     EXPECT_EQ(evaluated.error().reason, "used more than 128 MiB of memory");
 }
 
-TEST_F(SessionTest, KeepsTheWorkerThatOnlyRefuses) {
-    Session rejects = Open("rejects");
+TEST_F(RunnerTest, KeepsTheWorkerThatOnlyRefuses) {
+    Runner rejects = Open("rejects");
     const auto rejected = Evaluate(rejects);
     ASSERT_FALSE(rejected);
     EXPECT_EQ(rejected.error().kind, Kind::kRejected);
     EXPECT_EQ(rejected.error().reason,
               "the driver's compiler refused a program that glslang accepts: "
               "the null device rejects every program");
-    Session unsupported = Open("unsupported");
+    Runner unsupported = Open("unsupported");
     const auto declined = Evaluate(unsupported);
     ASSERT_FALSE(declined);
     EXPECT_EQ(declined.error().kind, Kind::kUnsupported);
     EXPECT_EQ(declined.error().reason, "the null device supports no program");
 }
 
-TEST_F(SessionTest, CompilesWhatChangesAnew) {
-    Session session = Open("echo");
-    ASSERT_TRUE(Evaluate(session));
+TEST_F(RunnerTest, CompilesWhatChangesAnew) {
+    Runner runner = Open("echo");
+    ASSERT_TRUE(Evaluate(runner));
     call_.wanted[0].text = "f(x) + f(";
-    const auto wrong = Evaluate(session);
+    const auto wrong = Evaluate(runner);
     EXPECT_FALSE(wrong);
     call_.wanted[0].text = "vec2(f(x))";
     signature_ = *Inspect(call_);
     std::vector<std::uint32_t> word = {7};
     std::size_t count = 0;
     ASSERT_TRUE(
-        session.Evaluate(call_, signature_, Recipe{}, Rows{word, 1, 1},
-                         [&](std::uint64_t, std::uint32_t, auto out) { count = out.size(); }));
+        runner.Evaluate(call_, signature_, Recipe{}, Rows{word, 1, 1},
+                        [&](std::uint64_t, std::uint32_t, auto out) { count = out.size(); }));
     EXPECT_EQ(count, 2u);
 }
 
-TEST_F(SessionTest, ReportsTheUsersMistakeAsOne) {
-    Session session = Open("echo");
+TEST_F(RunnerTest, ReportsTheUsersMistakeAsOne) {
+    Runner runner = Open("echo");
     folder_.Write("f.glsl", "float f(float x) { return y; }\n");
-    const auto evaluated = Evaluate(session);
+    const auto evaluated = Evaluate(runner);
     ASSERT_FALSE(evaluated);
     EXPECT_THAT(evaluated.error().reason, HasSubstr("f.glsl:1: 'y' : undeclared identifier"));
 }

@@ -1,4 +1,4 @@
-#include "run/session.h"
+#include "run/runner.h"
 
 #include <algorithm>
 
@@ -70,10 +70,10 @@ std::string KeyOf(const Call& call, const Recipe& recipe) {
 
 }  // namespace
 
-Session::Session(std::unique_ptr<Client> client, DeviceInfo info)
+Runner::Runner(std::unique_ptr<Client> client, DeviceInfo info)
     : client_(std::move(client)), info_(std::move(info)) {}
 
-Session::Outcome Session::Renew(std::uint32_t attempt) {
+Runner::Outcome Runner::Renew(std::uint32_t attempt) {
     loaded_.clear();
     if (auto started = client_->Restart(attempt); !started) {
         return EvaluationFailure{Kind::kCrash, started.error().message};
@@ -84,8 +84,8 @@ Session::Outcome Session::Renew(std::uint32_t attempt) {
     return Ok();
 }
 
-Result<std::uint32_t, EvaluationFailure> Session::Ready(const std::string& key,
-                                                        const Program& program) {
+Result<std::uint32_t, EvaluationFailure> Runner::Ready(const std::string& key,
+                                                       const Program& program) {
     if (const auto known = loaded_.find(key); known != loaded_.end()) {
         return known->second;
     }
@@ -97,9 +97,8 @@ Result<std::uint32_t, EvaluationFailure> Session::Ready(const std::string& key,
     return *handle;
 }
 
-Session::Outcome Session::RunChunk(const std::string& key, const Program& program,
-                                   const Rows& inputs, std::uint64_t first, std::uint32_t rows,
-                                   const Sink& sink) {
+Runner::Outcome Runner::RunChunk(const std::string& key, const Program& program, const Rows& inputs,
+                                 std::uint64_t first, std::uint32_t rows, const Sink& sink) {
     ETALON_TRY(handle, Ready(key, program));
     const std::span<std::uint32_t> words =
         client_->Inputs(rows, program.input_words, program.output_words);
@@ -116,9 +115,9 @@ Session::Outcome Session::RunChunk(const std::string& key, const Program& progra
     return Ok();
 }
 
-Session::Outcome Session::RunChunkTwice(const std::string& key, const Program& program,
-                                        const Rows& inputs, std::uint64_t first, std::uint32_t rows,
-                                        const Sink& sink) {
+Runner::Outcome Runner::RunChunkTwice(const std::string& key, const Program& program,
+                                      const Rows& inputs, std::uint64_t first, std::uint32_t rows,
+                                      const Sink& sink) {
     // A worker may have ended since the last chunk, by no fault of this one.
     Outcome once = client_->alive() ? Outcome(Ok()) : Renew(0);
     if (once) {
@@ -142,8 +141,8 @@ Session::Outcome Session::RunChunkTwice(const std::string& key, const Program& p
     return again;
 }
 
-Session::Outcome Session::Evaluate(const Call& call, const Signature& signature,
-                                   const Recipe& recipe, const Rows& inputs, const Sink& sink) {
+Runner::Outcome Runner::Evaluate(const Call& call, const Signature& signature, const Recipe& recipe,
+                                 const Rows& inputs, const Sink& sink) {
     flake_.clear();
     if (recipe.baked) {
         return EvaluateBaked(call, signature, recipe, inputs, sink);
@@ -170,9 +169,8 @@ Session::Outcome Session::Evaluate(const Call& call, const Signature& signature,
     return Ok();
 }
 
-Session::Outcome Session::EvaluateBaked(const Call& call, const Signature& signature,
-                                        const Recipe& recipe, const Rows& inputs,
-                                        const Sink& sink) {
+Runner::Outcome Runner::EvaluateBaked(const Call& call, const Signature& signature,
+                                      const Recipe& recipe, const Rows& inputs, const Sink& sink) {
     for (std::uint64_t first = 0; first < inputs.rows; first += kBakedRowsPerProgram) {
         const auto rows = static_cast<std::uint32_t>(
             std::min<std::uint64_t>(kBakedRowsPerProgram, inputs.rows - first));
