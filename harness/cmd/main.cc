@@ -1,6 +1,6 @@
 // The program `etalon`: words of the command line, nothing else.
 
-#include <sys/resource.h>
+#include <pthread.h>
 
 #include <CLI/CLI.hpp>
 #include <csignal>
@@ -9,6 +9,7 @@
 #include <iostream>
 #include <new>
 #include <string_view>
+#include <system_error>
 #include <thread>
 
 #include "base/file.h"
@@ -31,16 +32,16 @@ int Complain(const std::string& message) {
     return kBadInput;
 }
 
-// The compiler recurses over the source's expressions: a deep one needs a deep stack. The kernel
-// leaves room for it below the stack, so that raising the limit is enough. A file that grows beyond
-// a limit is an error, not the end.
+// The compiler recurses over the source's expressions: a deep one needs a deep stack, in every
+// thread that compiles. The limit of the process stays as it is, for the workers inherit that. A
+// file that grows beyond a limit is an error, not the end.
 void PrepareProcess() {
-    constexpr rlim_t kStackBytes = 100u << 20;
-    rlimit limit{};
-    if (getrlimit(RLIMIT_STACK, &limit) == 0 && limit.rlim_cur < kStackBytes) {
-        limit.rlim_cur = std::min(limit.rlim_max, kStackBytes);
-        setrlimit(RLIMIT_STACK, &limit);
-    }
+    constexpr std::size_t kStackBytes = 128u << 20;
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes, kStackBytes);
+    pthread_setattr_default_np(&attributes);
+    pthread_attr_destroy(&attributes);
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
@@ -338,9 +339,17 @@ int main(int argc, char** argv) {
     }
     etalon::PrepareProcess();
     std::ios::sync_with_stdio(false);
+    int status = etalon::kBadInput;
     try {
-        return etalon::Finish(etalon::Main(std::vector<std::string>(argv + 1, argv + argc)));
-    } catch (const std::bad_alloc&) {
+        std::thread([&] {
+            try {
+                status = etalon::Main(std::vector<std::string>(argv + 1, argv + argc));
+            } catch (const std::bad_alloc&) {
+                status = etalon::Complain("out of memory");
+            }
+        }).join();
+    } catch (const std::system_error&) {
         return etalon::Complain("out of memory");
     }
+    return etalon::Finish(status);
 }
