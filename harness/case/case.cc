@@ -60,6 +60,7 @@ class CaseReader {
         case_.description = description;
         case_.source = source;
         case_.call = call;
+        case_.call_line = TomlReader::Line(*table_.get("call"));
         case_.family = family;
         const std::pair<const char*, std::vector<std::string>*> lists[] = {
             {"recipes", &case_.recipes}, {"with", &case_.with}, {"include", &case_.include}};

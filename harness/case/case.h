@@ -32,6 +32,7 @@ struct Law {
     std::string right;
     Relation relation = Relation::kEqual;
     Acceptance within;
+    int line = 0;
 };
 
 // A failure that is known: where, and why. A case that passes where it is expected to fail is a
@@ -53,6 +54,7 @@ struct Case {
     std::string description;
     std::string source;
     std::string call;
+    int call_line = 0;
     std::string family;
     std::map<std::string, std::string> define;
     std::vector<std::string> include;

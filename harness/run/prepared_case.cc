@@ -90,8 +90,8 @@ std::vector<Symbol> Symbols(const Table& table) {
     return symbols;
 }
 
-Error In(const Case& source, const std::string& reason) {
-    return Error{source.file.string() + ": " + reason};
+std::string At(const Case& source, int line) {
+    return source.file.string() + ":" + std::to_string(line) + ": ";
 }
 
 Result<Call> CallOf(const Case& source, const Table& table) {
@@ -137,11 +137,13 @@ Result<std::vector<JudgedColumn>> JudgedColumns(const Case& source, const Table&
         Expression truth = expectation.truth;
         ETALON_TRY(components, truth.Bind(symbols));
         if (columns.empty()) {
-            return In(source, "the call has no output '" + expectation.output + "'");
+            return Error{At(source, expectation.line) + "the call has no output '" +
+                         expectation.output + "'"};
         }
         if (columns.size() != components) {
-            return In(source, "'" + expectation.output + "' has " + std::to_string(columns.size()) +
-                                  " components, its oracle " + std::to_string(components));
+            return Error{At(source, expectation.line) + "'" + expectation.output + "' has " +
+                         std::to_string(columns.size()) + " components, its oracle " +
+                         std::to_string(components)};
         }
         std::vector<double> values;
         std::vector<double> errors;
@@ -178,7 +180,7 @@ Result<PreparedLaw> PrepareLaw(const Case& source, const Law& law, const Call& c
     PreparedLaw prepared;
     prepared.law = law;
     prepared.call = call;
-    const std::string origin = source.file.string() + ": law '" + law.name + "'";
+    const std::string origin = At(source, law.line) + "law '" + law.name + "'";
     prepared.call.wanted = {{"left", law.left, origin}, {"right", law.right, origin}};
     // The law's own calls declare nothing; only the inputs are theirs.
     std::erase_if(prepared.call.arguments,
@@ -213,7 +215,7 @@ Result<PreparedCase> PrepareWith(const Case& source, Table table) {
     ETALON_TRY(call, CallOf(source, prepared.table));
     prepared.call = std::move(call);
     if (!source.expectations.empty()) {
-        prepared.call.wanted = {{"result", source.call, source.file.string() + ": call"}};
+        prepared.call.wanted = {{"result", source.call, At(source, source.call_line) + "call"}};
         ETALON_TRY(signature, Inspect(prepared.call));
         prepared.signature = signature;
         ETALON_TRY(judged, JudgedColumns(source, prepared.table, prepared.call, signature));

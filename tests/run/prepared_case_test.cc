@@ -149,11 +149,11 @@ TEST_F(PreparedCaseTest, NamesTheCasesMistakes) {
         return ErrorOf("source = \"f.glsl\"\ncall = \"" + call + "\"\noracle = \"" + oracle +
                        "\"\naccept = { ulp = 1 }\n" + domain);
     };
-    EXPECT_EQ(with("both(x, n)", "x"), file + ": 'result' has 2 components, its oracle 1");
-    EXPECT_EQ(with("twice(x)", "vec2(x, x)"), file + ": 'result' has 1 components, its oracle 2");
+    EXPECT_EQ(with("both(x, n)", "x"), file + ":4: 'result' has 2 components, its oracle 1");
+    EXPECT_EQ(with("twice(x)", "vec2(x, x)"), file + ":4: 'result' has 1 components, its oracle 2");
     EXPECT_EQ(with("thrice(x)", "x"),
-              file + ": call:1: 'thrice' : no matching overloaded function found");
-    EXPECT_THAT(with("twice(y)", "x"), StartsWith(file + ": call:1: 'y' : undeclared identifier"));
+              file + ":2: call:1: 'thrice' : no matching overloaded function found");
+    EXPECT_THAT(with("twice(y)", "x"), StartsWith(file + ":2: call:1: 'y' : undeclared identifier"));
     EXPECT_EQ(
         ErrorOf("source = \"no.glsl\"\ncall = \"f(x)\"\noracle = \"x\"\naccept = { ulp = 1 }\n" +
                 domain),
@@ -162,9 +162,9 @@ TEST_F(PreparedCaseTest, NamesTheCasesMistakes) {
         return ErrorOf("source = \"f.glsl\"\ncall = \"twice(x)\"\n" + domain +
                        "[[law]]\nname = \"l\"\nholds = \"" + holds + "\"\n");
     };
-    EXPECT_EQ(law("both(x, n) == vec3(x)"), file + ": law 'l': the sides have 2 and 3 components");
-    EXPECT_EQ(law("x == n"), file + ": law 'l': the sides have different types");
-    EXPECT_THAT(law("nothing(x) == x"), StartsWith(file + ": law 'l':1: 'nothing' : "));
+    EXPECT_EQ(law("both(x, n) == vec3(x)"), file + ":8: law 'l': the sides have 2 and 3 components");
+    EXPECT_EQ(law("x == n"), file + ":8: law 'l': the sides have different types");
+    EXPECT_THAT(law("nothing(x) == x"), StartsWith(file + ":8: law 'l':1: 'nothing' : "));
 }
 
 TEST_F(PreparedCaseTest, PreparesAtOneInput) {
