@@ -127,7 +127,10 @@ Result<Dialect> ReadDialect(const Call& call) {
             return Error{reason};
         }
     }
-    return includer.dialect();
+    // Once more with all that they include. What is wrong in there the compiler tells later.
+    FrontEnd front(call, Stage::kFragment, SourcesShader(call));
+    (void)front.Preprocess(kVersion);
+    return front.dialect();
 }
 
 Result<Type> FromGlslang(const glslang::TType& type) {
@@ -204,7 +207,7 @@ Result<std::vector<BoundImage>> BindImages(glslang::TProgram& program, const Cal
         const glslang::TType* type = uniform.getType();
         if (type == nullptr || type->getBasicType() != glslang::EbtSampler) {
             return Error{call.source.string() + ": uniform '" + uniform.name +
-                         "' has no value: a probe sets no uniforms; make it a parameter"};
+                         "' has no value; an input of its name gives it one"};
         }
         const glslang::TSampler& sampler = type->getSampler();
         if (sampler.dim != glslang::Esd2D || sampler.arrayed || sampler.shadow || sampler.ms ||
@@ -253,7 +256,7 @@ Result<std::vector<BoundImage>> Link(FrontEnd& front, glslang::TProgram& program
     if (client && !program.mapIO()) {
         return Error{FirstError(program.getInfoLog())};
     }
-    program.buildReflection(EShReflectionSeparateBuffers | EShReflectionAllBlockVariables);
+    program.buildReflection(EShReflectionSeparateBuffers);
     return BindImages(program, call, client.has_value());
 }
 
@@ -270,17 +273,12 @@ const glslang::TIntermSequence* InspectedStatements(TIntermNode* root) {
     return nullptr;
 }
 
-// `seen` receives what is known of the sources, included files among them, whatever the outcome.
-Result<Signature> InspectIn(const Call& call, Stage stage, const Dialect& dialect, Dialect& seen) {
+Result<Signature> InspectIn(const Call& call, Stage stage, const Dialect& dialect) {
     FrontEnd front(call, stage, InspectionShader(call, dialect));
     front.AimAt(Target::Client::kVulkan);
     const std::uint32_t version =
         dialect.es ? kVersion : std::max(kVersion, std::min(dialect.version, 460u));
-    const Status<> parsed = front.Parse(version, Target::Client::kVulkan);
-    seen = front.dialect();
-    if (!parsed) {
-        return parsed.error();
-    }
+    ETALON_TRY_STEP(front.Parse(version, Target::Client::kVulkan));
     glslang::TProgram program;
     ETALON_TRY(images, Link(front, program, call, Target::Client::kVulkan));
     Signature signature;
@@ -357,12 +355,12 @@ Status<> IsOneExpression(const Call& call) {
 
 // In a compute shader, or where that cannot be in a fragment shader: derivatives and the like exist
 // only there.
-Result<Signature> InspectInEitherStage(const Call& call, const Dialect& dialect, Dialect& seen) {
-    Result<Signature> compute = InspectIn(call, Stage::kCompute, dialect, seen);
+Result<Signature> InspectInEitherStage(const Call& call, const Dialect& dialect) {
+    Result<Signature> compute = InspectIn(call, Stage::kCompute, dialect);
     if (compute) {
         return compute;
     }
-    Result<Signature> fragment = InspectIn(call, Stage::kFragment, dialect, seen);
+    Result<Signature> fragment = InspectIn(call, Stage::kFragment, dialect);
     const bool is_about_stage = compute.error().message.find("compute") != std::string::npos;
     return fragment || is_about_stage ? fragment : compute;
 }
@@ -374,8 +372,7 @@ Result<Signature> Inspect(const Call& call) {
         return one.error();
     }
     ETALON_TRY(dialect, ReadDialect(call));
-    Dialect seen;
-    Result<Signature> first = InspectInEitherStage(call, dialect, seen);
+    Result<Signature> first = InspectInEitherStage(call, dialect);
     if (first) {
         return first;
     }
@@ -383,9 +380,8 @@ Result<Signature> Inspect(const Call& call) {
     // a source's own version of a built-in function, which GLSL allows.
     if (first.error().message.find("must have the same parameter") != std::string::npos) {
         Dialect renaming = dialect;
-        renaming.redefined = seen.redefined;
         renaming.rename_redefined = true;
-        if (Result<Signature> renamed = InspectInEitherStage(call, renaming, seen)) {
+        if (Result<Signature> renamed = InspectInEitherStage(call, renaming)) {
             return renamed;
         }
         return Error{first.error().message +
@@ -395,7 +391,7 @@ Result<Signature> Inspect(const Call& call) {
     if (!call.with.empty()) {
         Dialect turned = dialect;
         turned.with_first = true;
-        if (Result<Signature> other = InspectInEitherStage(call, turned, seen)) {
+        if (Result<Signature> other = InspectInEitherStage(call, turned)) {
             return other;
         }
     }

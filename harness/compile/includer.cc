@@ -28,6 +28,11 @@ constexpr std::size_t kMostIncludes = 4096;
 }  // namespace
 
 Includer::Includer(const Call& call) : call_(call) {
+    for (const Argument& argument : call.arguments) {
+        if (argument.is_input) {
+            inputs_.push_back(argument.name);
+        }
+    }
     allowed_.push_back(Canonical(FolderOf(call.source)));
     for (const fs::path& with : call.with) {
         allowed_.push_back(Canonical(FolderOf(with)));
@@ -67,7 +72,7 @@ Includer::IncludeResult* Includer::Open(const fs::path& path) {
     if (texts_.size() >= kMostIncludes) {
         return Refuse("more than " + std::to_string(kMostIncludes) + " files are included");
     }
-    Result<std::string> prepared = PrepareSource(std::move(*text), dialect_);
+    Result<std::string> prepared = PrepareSource(std::move(*text), inputs_, dialect_);
     if (!prepared) {
         return Refuse(path.string() + ":" + prepared.error().message);
     }

@@ -37,6 +37,7 @@ class Includer : public glslang::TShader::Includer {
     bool MayRead(const std::filesystem::path& path) const;
 
     const Call& call_;
+    std::vector<std::string> inputs_;             // their names
     std::vector<std::filesystem::path> allowed_;  // canonical
     std::vector<std::filesystem::path> open_;  // canonical; the files being read, outermost first
     std::list<std::string> texts_;             // glslang keeps pointers into these

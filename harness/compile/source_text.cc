@@ -121,6 +121,7 @@ class Tokens {
             return {};
         }
         const std::size_t from = at_++;
+        begin_ = from;
         if (IsWordCharacter(text_[from])) {
             while (at_ < text_.size() && IsWordCharacter(text_[at_])) {
                 ++at_;
@@ -129,6 +130,8 @@ class Tokens {
         return text_.substr(from, at_ - from);
     }
     std::size_t line() const { return line_; }
+    // Where the last token begins.
+    std::size_t begin() const { return begin_; }
 
   private:
     void Skip() {
@@ -154,6 +157,7 @@ class Tokens {
 
     std::string_view text_;
     std::size_t at_ = 0;
+    std::size_t begin_ = 0;
     std::size_t line_ = 1;
 };
 
@@ -210,49 +214,128 @@ void TakeVersion(std::string& text, Dialect& dialect) {
     }
 }
 
-// "TYPE name (" at the top level defines or declares a function; "uniform ... sampler2D name" a
-// sampler.
-Status<> FindNames(std::string_view text, Dialect& dialect) {
-    Tokens tokens(text);
-    std::string_view before;
-    std::string_view last;
+// What a declaration says, from the word after `uniform` to the one before the semicolon.
+struct Uniforms {
+    std::vector<std::string> names;
+    bool is_opaque = false;  // samplers and the like
+    bool has_value = false;
+};
+
+Uniforms ReadUniforms(const std::vector<std::string_view>& tokens) {
+    Uniforms uniforms;
     int depth = 0;
-    bool in_uniform = false;
-    for (std::string_view token = tokens.Next(); !token.empty(); token = tokens.Next()) {
-        if (token.starts_with(kReserved)) {
-            return Error{std::to_string(tokens.line()) + ": '" + std::string(token) +
-                         "': names that begin with '" + std::string(kReserved) +
-                         "' belong to the probe"};
+    bool is_named = false;  // the present declarator has told its name
+    std::string_view last;
+    for (const std::string_view token : tokens) {
+        for (const char* kind : {"sampler", "image", "atomic", "texture", "subpass"}) {
+            uniforms.is_opaque = uniforms.is_opaque || token.find(kind) != std::string_view::npos;
         }
-        if (token == "{" || token == "}") {
-            depth += token == "{" ? 1 : -1;
+        uniforms.has_value = uniforms.has_value || token == "=";
+        if (depth == 0 && !is_named && (token == "[" || token == "=" || token == ",")) {
+            uniforms.names.emplace_back(last);
+            is_named = true;
         }
-        if (token == "uniform" || token == ";") {
-            in_uniform = token == "uniform";
+        if (token == "[" || token == "(") {
+            ++depth;
+        } else if (token == "]" || token == ")") {
+            --depth;
+        } else if (depth == 0 && token == ",") {
+            is_named = false;
         }
-        if (in_uniform && last.find("sampler") != std::string_view::npos) {
-            AddOnce(token, dialect.samplers);
-        }
-        if (depth == 0 && token == "(" && IsBuiltIn(last) && !before.empty() &&
-            IsWordCharacter(before[0])) {
-            AddOnce(last, dialect.redefined);
-        }
-        before = last;
         last = token;
     }
-    return Ok();
+    if (!is_named && !last.empty()) {
+        uniforms.names.emplace_back(last);
+    }
+    return uniforms;
 }
+
+constexpr std::string_view kUniform = "uniform";
+
+// Reads the declarations of the text. `globals` receives the places of the words `uniform` that
+// must go.
+class NameReader {
+  public:
+    NameReader(std::string_view text, const std::vector<std::string>& inputs, Dialect& dialect,
+               std::vector<std::size_t>& globals)
+        : tokens_(text), inputs_(inputs), dialect_(dialect), globals_(globals) {}
+
+    Status<> Read() {
+        std::string_view before;
+        std::string_view last;
+        int depth = 0;
+        for (std::string_view token = tokens_.Next(); !token.empty(); token = tokens_.Next()) {
+            if (token.starts_with(kReserved)) {
+                return Error{std::to_string(tokens_.line()) + ": '" + std::string(token) +
+                             "': names that begin with '" + std::string(kReserved) +
+                             "' belong to the probe"};
+            }
+            if (token == kUniform) {
+                token = TakeUniforms();
+            }
+            if (token == "{" || token == "}") {
+                depth += token == "{" ? 1 : -1;
+            }
+            // "TYPE name (" at the top level defines or declares a function.
+            if (depth == 0 && token == "(" && IsBuiltIn(last) && !before.empty() &&
+                IsWordCharacter(before[0])) {
+                AddOnce(last, dialect_.redefined);
+            }
+            before = last;
+            last = token;
+        }
+        return Ok();
+    }
+
+  private:
+    // Reads to the end of the declaration, or of the head of a block; returns the token there.
+    std::string_view TakeUniforms() {
+        const std::size_t place = tokens_.begin();
+        std::vector<std::string_view> declaration;
+        std::string_view token = tokens_.Next();
+        for (; !token.empty() && token != ";" && token != "{"; token = tokens_.Next()) {
+            declaration.push_back(token);
+        }
+        if (token != ";") {
+            return token;
+        }
+        const Uniforms uniforms = ReadUniforms(declaration);
+        bool is_global = uniforms.has_value;
+        for (const std::string& name : uniforms.names) {
+            if (uniforms.is_opaque) {
+                AddOnce(name, dialect_.samplers);
+            } else if (std::find(inputs_.begin(), inputs_.end(), name) != inputs_.end()) {
+                is_global = true;
+                AddOnce(name, dialect_.uniforms);
+            }
+        }
+        if (is_global && !uniforms.is_opaque) {
+            globals_.push_back(place);
+        }
+        return token;
+    }
+
+    Tokens tokens_;
+    const std::vector<std::string>& inputs_;
+    Dialect& dialect_;
+    std::vector<std::size_t>& globals_;
+};
 
 }  // namespace
 
-Result<std::string> PrepareSource(std::string text, Dialect& dialect) {
+Result<std::string> PrepareSource(std::string text, const std::vector<std::string>& inputs,
+                                  Dialect& dialect) {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (text.starts_with(kByteOrderMark)) {
         text.erase(0, kByteOrderMark.size());
     }
     JoinLines(text);
     TakeVersion(text, dialect);
-    ETALON_TRY_STEP(FindNames(text, dialect));
+    std::vector<std::size_t> globals;
+    ETALON_TRY_STEP(NameReader(text, inputs, dialect, globals).Read());
+    for (const std::size_t place : globals) {
+        text.replace(place, kUniform.size(), kUniform.size(), ' ');
+    }
     // A last line without its end would run into the line after the #include.
     text.push_back('\n');
     return text;

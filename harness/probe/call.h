@@ -43,7 +43,8 @@ struct Call {
 struct Dialect {
     std::uint32_t version = 0;  // their highest #version, 0 for none
     bool es = false;
-    std::vector<std::string> samplers;   // uniforms that the sources declare
+    std::vector<std::string> samplers;   // that the sources declare
+    std::vector<std::string> uniforms;   // others, which inputs of their names set
     std::vector<std::string> redefined;  // built-in functions of which they have their own
     bool rename_redefined = false;       // where the compiler cannot take such a function as it is
     bool with_first = false;             // the further sources come before the first one

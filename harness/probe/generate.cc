@@ -94,6 +94,26 @@ std::vector<std::string> Identifiers(const std::vector<Piece>& pieces) {
     return {words.begin(), words.end()};
 }
 
+void Sources(const Call& call, const Dialect& dialect, Text& out) {
+    const std::size_t sources = call.with.size() + 1;
+    for (std::size_t i = 0; i < sources; ++i) {
+        out << "#include \"" << kSourceMark << (dialect.with_first ? (i + 1) % sources : i)
+            << "\"\n";
+    }
+}
+
+void Defines(const Call& call, Text& out) {
+    for (const auto& [name, value] : call.defines) {
+        out << "#define " << name << " " << value << "\n";
+    }
+}
+
+// True for an input that sets a uniform of the sources, which has become a global variable.
+bool IsUniform(const Argument& argument, const Dialect& dialect) {
+    return std::find(dialect.uniforms.begin(), dialect.uniforms.end(), argument.name) !=
+           dialect.uniforms.end();
+}
+
 // What comes before the sources. The conversions stand here, under names of the generator's own,
 // because a source may have functions or macros of the built-in ones' names.
 void Prologue(const Call& call, const Dialect& dialect, Text& out) {
@@ -112,20 +132,14 @@ void Prologue(const Call& call, const Dialect& dialect, Text& out) {
             out << "#define " << word << " etalon_word_" << word << "\n";
         }
     }
-    for (const auto& [name, value] : call.defines) {
-        out << "#define " << name << " " << value << "\n";
-    }
+    Defines(call, out);
     for (const auto& [old, now] : OldNames(dialect)) {
         out << "#define " << old << " " << now << "\n";
     }
     for (const std::string& word : LaterKeywords(dialect)) {
         out << "#define " << word << " etalon_word_" << word << "\n";
     }
-    const std::size_t sources = call.with.size() + 1;
-    for (std::size_t i = 0; i < sources; ++i) {
-        out << "#include \"" << kSourceMark << (dialect.with_first ? (i + 1) % sources : i)
-            << "\"\n";
-    }
+    Sources(call, dialect, out);
 }
 
 // Appends the generator's own part, in which no macro of the sources may have a meaning.
@@ -143,14 +157,16 @@ std::string Origin(const Argument& argument) {
     return (argument.is_output ? "out parameter '" : "input '") + argument.name + "'";
 }
 
-void Parameters(const Call& call, Text& out) {
-    for (std::size_t i = 0; i < call.arguments.size(); ++i) {
-        const Argument& argument = call.arguments[i];
-        out << (i == 0 ? "" : ", ")
-            << (!argument.is_output ? ""
-                : argument.is_input ? "inout "
-                                    : "out ");
+// `first` tells whether nothing stands before them.
+void Parameters(const Call& call, const Dialect& dialect, bool first, Text& out) {
+    for (const Argument& argument : call.arguments) {
+        if (IsUniform(argument, dialect)) {
+            continue;
+        }
+        const char* direction = argument.is_input ? "inout " : "out ";
+        out << (first ? "" : ", ") << (argument.is_output ? direction : "");
         out.User(Origin(argument), argument.type + " " + argument.name);
+        first = false;
     }
 }
 
@@ -242,7 +258,12 @@ class RowWriter {
             }
         }
         for (std::size_t i = 0; i < call_.arguments.size(); ++i) {
-            arguments += (arguments.empty() ? "" : ", ") + ("etalon_a" + std::to_string(i));
+            const std::string local = "etalon_a" + std::to_string(i);
+            if (IsUniform(call_.arguments[i], signature_.dialect)) {
+                out << "        " << call_.arguments[i].name << " = " << local << ";\n";
+            } else {
+                arguments += (arguments.empty() ? "" : ", ") + local;
+            }
         }
         out << "        etalon_evaluate(" << arguments << ");\n";
         std::size_t output = 0;
@@ -283,10 +304,7 @@ void Evaluate(const Call& call, const Signature& signature, const Recipe& recipe
             first = false;
         }
     }
-    if (!first && !call.arguments.empty()) {
-        out << ", ";
-    }
-    Parameters(call, out);
+    Parameters(call, signature.dialect, first, out);
     out << ") {\n";
     for (std::size_t i = 0; i < call.wanted.size(); ++i) {
         if (signature.wanted[i].kind != Type::Kind::kVoid) {
@@ -393,12 +411,21 @@ void TargetMain(RowWriter rows, const Recipe& recipe, std::uint32_t output_words
 
 }  // namespace
 
+std::vector<Piece> SourcesShader(const Call& call) {
+    std::vector<Piece> pieces;
+    Text out(pieces);
+    out << "#extension GL_GOOGLE_include_directive : enable\n";
+    Defines(call, out);
+    Sources(call, {}, out);
+    return pieces;
+}
+
 std::vector<Piece> InspectionShader(const Call& call, const Dialect& dialect) {
     std::vector<Piece> pieces;
     Text out(pieces);
     Prologue(call, dialect, out);
     out << "\nvoid etalon_inspect(";
-    Parameters(call, out);
+    Parameters(call, dialect, true, out);
     out << ") {\n";
     for (const Argument& argument : call.arguments) {
         out << "    " << argument.name << ";\n";
@@ -419,7 +446,9 @@ std::vector<Piece> InspectionShader(const Call& call, const Dialect& dialect) {
         main << "    ";
         main.User(Origin(call.arguments[i]), call.arguments[i].type + " " + local);
         main << ";\n";
-        arguments += (i == 0 ? "" : ", ") + local;
+        if (!IsUniform(call.arguments[i], dialect)) {
+            arguments += (arguments.empty() ? "" : ", ") + local;
+        }
     }
     main << "    etalon_inspect(" << arguments << ");\n}\n";
     // The arguments' types are still the sources' words.

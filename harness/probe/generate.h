@@ -24,6 +24,9 @@ inline constexpr const char* kGenerated = "etalon";
 // Call::with.
 inline constexpr const char* kSourceMark = "etalon-source:";
 
+// The sources alone, for a first reading.
+std::vector<Piece> SourcesShader(const Call& call);
+
 // A shader whose function etalon_inspect mentions each argument and each wanted expression as a
 // statement of its own, so that the compiler tells their types.
 std::vector<Piece> InspectionShader(const Call& call, const Dialect& dialect);

@@ -288,6 +288,25 @@ TEST_F(CompileTest, ASamplerThatNoSourceDeclaresIsDeclared) {
     EXPECT_EQ(CompileError(call, "glsl", {Target::Client::kOpenGl, 450}), "");
 }
 
+TEST_F(CompileTest, InputsSetUniformsOfTheirNames) {
+    Write("light/uniforms.glsl", "uniform float gain;\n");
+    const auto source = Write("uniforms.glsl",
+                              "#include \"light/uniforms.glsl\"\n"
+                              "uniform highp vec2 size, other[2];\nuniform float half_gain = 0.5;\n"
+                              "float f(float x) { return x * gain * half_gain + size.y; }\n"
+                              "float g(float x) { return other[1].x; }\n");
+    Call call = MakeCall(source, "f(x)",
+                         {kX, {"gain", "float", true, false}, {"size", "vec2", true, false}});
+    for (const char* recipe : {"spirv", "spirv+baked", "spirv+fragment"}) {
+        EXPECT_EQ(CompileError(call, recipe), "") << recipe;
+    }
+    EXPECT_EQ(CompileError(call, "glsl+fragment", {Target::Client::kOpenGl, 330}), "");
+    call.wanted[0].text = "g(x)";
+    EXPECT_THAT(CompileError(call, "spirv"), HasSubstr("uniform 'other"));
+    call.wanted[0].text = "x";
+    EXPECT_EQ(CompileError(call, "spirv"), "");
+}
+
 TEST_F(CompileTest, OnlyAPlainSamplerTakesAnImage) {
     for (const char* kind :
          {"sampler3D", "samplerCube", "isampler2D", "sampler2DArray", "sampler2DShadow"}) {
