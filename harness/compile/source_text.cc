@@ -217,8 +217,8 @@ void TakeVersion(std::string& text, Dialect& dialect) {
 // What a declaration says, from the word after `uniform` to the one before the semicolon.
 struct Uniforms {
     std::vector<std::string> names;
-    bool is_opaque = false;  // samplers and the like
-    bool has_value = false;
+    std::vector<std::string> with_value;  // those that the declaration gives a value
+    bool is_opaque = false;               // samplers and the like
 };
 
 Uniforms ReadUniforms(const std::vector<std::string_view>& tokens) {
@@ -230,10 +230,12 @@ Uniforms ReadUniforms(const std::vector<std::string_view>& tokens) {
         for (const char* kind : {"sampler", "image", "atomic", "texture", "subpass"}) {
             uniforms.is_opaque = uniforms.is_opaque || token.find(kind) != std::string_view::npos;
         }
-        uniforms.has_value = uniforms.has_value || token == "=";
         if (depth == 0 && !is_named && (token == "[" || token == "=" || token == ",")) {
             uniforms.names.emplace_back(last);
             is_named = true;
+        }
+        if (depth == 0 && token == "=") {
+            uniforms.with_value.push_back(uniforms.names.back());
         }
         if (token == "[" || token == "(") {
             ++depth;
@@ -251,6 +253,10 @@ Uniforms ReadUniforms(const std::vector<std::string_view>& tokens) {
 }
 
 constexpr std::string_view kUniform = "uniform";
+
+bool Has(const std::vector<std::string>& words, const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 // Reads the declarations of the text. `globals` receives the places of the words `uniform` that
 // must go.
@@ -271,7 +277,8 @@ class NameReader {
                              "' belong to the probe"};
             }
             if (token == kUniform) {
-                token = TakeUniforms();
+                ETALON_TRY(end, TakeUniforms());
+                token = end;
             }
             if (token == "{" || token == "}") {
                 depth += token == "{" ? 1 : -1;
@@ -289,7 +296,7 @@ class NameReader {
 
   private:
     // Reads to the end of the declaration, or of the head of a block; returns the token there.
-    std::string_view TakeUniforms() {
+    Result<std::string_view> TakeUniforms() {
         const std::size_t place = tokens_.begin();
         std::vector<std::string_view> declaration;
         std::string_view token = tokens_.Next();
@@ -300,17 +307,30 @@ class NameReader {
             return token;
         }
         const Uniforms uniforms = ReadUniforms(declaration);
-        bool is_global = uniforms.has_value;
-        for (const std::string& name : uniforms.names) {
-            if (uniforms.is_opaque) {
+        if (uniforms.is_opaque) {
+            for (const std::string& name : uniforms.names) {
                 AddOnce(name, dialect_.samplers);
-            } else if (std::find(inputs_.begin(), inputs_.end(), name) != inputs_.end()) {
-                is_global = true;
+            }
+            return token;
+        }
+        std::string without;
+        bool any_input = false;
+        for (const std::string& name : uniforms.names) {
+            if (Has(inputs_, name)) {
+                any_input = true;
                 AddOnce(name, dialect_.uniforms);
+            } else if (!Has(uniforms.with_value, name)) {
+                without = name;
             }
         }
-        if (is_global && !uniforms.is_opaque) {
+        // A uniform without a value stays one, so that the compiler tells whether the call reaches
+        // it; those that are declared together go together.
+        if (without.empty()) {
             globals_.push_back(place);
+        } else if (any_input) {
+            return Error{
+                std::to_string(tokens_.line()) + ": uniform '" + without +
+                "' has no value, but stands in one declaration with one that an input sets"};
         }
         return token;
     }

@@ -290,11 +290,12 @@ TEST_F(CompileTest, ASamplerThatNoSourceDeclaresIsDeclared) {
 
 TEST_F(CompileTest, InputsSetUniformsOfTheirNames) {
     Write("light/uniforms.glsl", "uniform float gain;\n");
-    const auto source = Write("uniforms.glsl",
-                              "#include \"light/uniforms.glsl\"\n"
-                              "uniform highp vec2 size, other[2];\nuniform float half_gain = 0.5;\n"
-                              "float f(float x) { return x * gain * half_gain + size.y; }\n"
-                              "float g(float x) { return other[1].x; }\n");
+    const auto source =
+        Write("uniforms.glsl",
+              "#include \"light/uniforms.glsl\"\n"
+              "uniform highp vec2 size;\nuniform vec2 other[2];\nuniform float half_gain = 0.5;\n"
+              "float f(float x) { return x * gain * half_gain + size.y; }\n"
+              "float g(float x) { return other[1].x; }\n");
     Call call = MakeCall(source, "f(x)",
                          {kX, {"gain", "float", true, false}, {"size", "vec2", true, false}});
     for (const char* recipe : {"spirv", "spirv+baked", "spirv+fragment"}) {
@@ -303,8 +304,10 @@ TEST_F(CompileTest, InputsSetUniformsOfTheirNames) {
     EXPECT_EQ(CompileError(call, "glsl+fragment", {Target::Client::kOpenGl, 330}), "");
     call.wanted[0].text = "g(x)";
     EXPECT_THAT(CompileError(call, "spirv"), HasSubstr("uniform 'other"));
-    call.wanted[0].text = "x";
-    EXPECT_EQ(CompileError(call, "spirv"), "");
+    Write("uniforms.glsl", "uniform float gain, other;\nfloat f(float x) { return gain; }\n");
+    call.wanted[0].text = "f(x)";
+    EXPECT_THAT(CompileError(call, "spirv"),
+                HasSubstr("uniforms.glsl:1: uniform 'other' has no value"));
 }
 
 TEST_F(CompileTest, OnlyAPlainSamplerTakesAnImage) {
