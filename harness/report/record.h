@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "device/device.h"
+#include "device/device_info.h"
 
 namespace etalon {
 
