@@ -153,7 +153,8 @@ TEST_F(PreparedCaseTest, NamesTheCasesMistakes) {
     EXPECT_EQ(with("twice(x)", "vec2(x, x)"), file + ":4: 'result' has 1 components, its oracle 2");
     EXPECT_EQ(with("thrice(x)", "x"),
               file + ":2: call:1: 'thrice' : no matching overloaded function found");
-    EXPECT_THAT(with("twice(y)", "x"), StartsWith(file + ":2: call:1: 'y' : undeclared identifier"));
+    EXPECT_THAT(with("twice(y)", "x"),
+                StartsWith(file + ":2: call:1: 'y' : undeclared identifier"));
     EXPECT_EQ(
         ErrorOf("source = \"no.glsl\"\ncall = \"f(x)\"\noracle = \"x\"\naccept = { ulp = 1 }\n" +
                 domain),
@@ -162,7 +163,8 @@ TEST_F(PreparedCaseTest, NamesTheCasesMistakes) {
         return ErrorOf("source = \"f.glsl\"\ncall = \"twice(x)\"\n" + domain +
                        "[[law]]\nname = \"l\"\nholds = \"" + holds + "\"\n");
     };
-    EXPECT_EQ(law("both(x, n) == vec3(x)"), file + ":8: law 'l': the sides have 2 and 3 components");
+    EXPECT_EQ(law("both(x, n) == vec3(x)"),
+              file + ":8: law 'l': the sides have 2 and 3 components");
     EXPECT_EQ(law("x == n"), file + ":8: law 'l': the sides have different types");
     EXPECT_THAT(law("nothing(x) == x"), StartsWith(file + ":8: law 'l':1: 'nothing' : "));
 }
