@@ -38,10 +38,11 @@ struct Law {
 // A failure that is known: where, and why. A case that passes where it is expected to fail is a
 // failure too.
 struct ExpectedFailure {
-    std::string device;  // pattern with * and ?
-    std::string recipe;  // pattern
-    std::string law;     // pattern of the law's name; empty: the outputs
-    std::string status;  // "bug", "method" or "unimplemented"
+    std::string device;   // pattern with * and ?
+    std::string recipe;   // pattern
+    std::string law;      // pattern of the law's name; empty: whatever was refused
+    std::string verdict;  // "fail", "crash" or "timeout"
+    std::string status;   // "bug", "method" or "unimplemented"
     std::string cause;
     std::string link;
 };

@@ -143,22 +143,27 @@ Result<Law> ReadLaw(const TomlReader& reader, const toml::table& table) {
 
 Result<ExpectedFailure> ReadExpectedFailure(const TomlReader& reader, const toml::table& table,
                                             const std::vector<Law>& laws) {
-    ETALON_TRY_STEP(reader.OnlyKeys(table, {"device", "recipe", "law", "status", "cause", "link"}));
+    ETALON_TRY_STEP(
+        reader.OnlyKeys(table, {"device", "recipe", "law", "verdict", "status", "cause", "link"}));
     ETALON_TRY(device, reader.TextAt(table, "device", std::nullopt));
     ETALON_TRY(recipe, reader.TextAt(table, "recipe", "*"));
     ETALON_TRY(law, reader.TextAt(table, "law", ""));
+    ETALON_TRY(verdict, reader.TextAt(table, "verdict", "fail"));
     ETALON_TRY(status, reader.TextAt(table, "status", std::nullopt));
     ETALON_TRY(cause, reader.TextAt(table, "cause", std::nullopt));
     ETALON_TRY(link, reader.TextAt(table, "link", ""));
     if (status != "bug" && status != "method" && status != "unimplemented") {
         return reader.Fail(*table.get("status"), "'status' must be bug, method or unimplemented");
     }
+    if (verdict != "fail" && verdict != "crash" && verdict != "timeout") {
+        return reader.Fail(*table.get("verdict"), "'verdict' must be fail, crash or timeout");
+    }
     const bool known = std::any_of(laws.begin(), laws.end(),
                                    [&law](const Law& one) { return GlobMatches(law, one.name); });
     if (!law.empty() && !known) {
         return reader.Fail(*table.get("law"), "no law is called '" + law + "'");
     }
-    return ExpectedFailure{device, recipe, law, status, cause, link};
+    return ExpectedFailure{device, recipe, law, verdict, status, cause, link};
 }
 
 }  // namespace etalon

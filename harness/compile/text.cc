@@ -102,11 +102,13 @@ std::string DriverText(std::string_view preprocessed, std::uint32_t version,
 std::string DriverError(std::string_view log, const std::vector<std::string>& names) {
     static const std::regex mesa(R"(^(\d+):(\d+)\(\d+\): error: (.*)$)");
     static const std::regex nvidia(R"(^(\d+)\((\d+)\) : error \S+ (.*)$)");
-    std::string_view first;
+    std::string first;
+    int told = 0;
     for (const std::string_view raw : Lines(log)) {
         const std::string line(Trim(raw));
-        if (first.empty() && !line.empty()) {
-            first = Trim(raw);
+        // The device's own sentence, and what the log begins with.
+        if (!line.empty() && told < 2) {
+            first += (told++ == 0 ? "" : ": ") + line;
         }
         std::smatch match;
         if (std::regex_match(line, match, mesa) || std::regex_match(line, match, nvidia)) {
@@ -115,7 +117,7 @@ std::string DriverError(std::string_view log, const std::vector<std::string>& na
                    ": " + match[3].str();
         }
     }
-    return std::string(first);
+    return first;
 }
 
 }  // namespace etalon

@@ -4,6 +4,7 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 
 #include "base/check.h"
 #include "base/file.h"
@@ -215,32 +216,44 @@ std::string RepeatCommand(const Record& record, const RepeatContext& context) {
     return command;
 }
 
-// True where the expectation speaks of what failed: of laws alone, if it names any; of anything
-// otherwise.
-bool Covers(const ExpectedFailure& expected, const Record& record) {
-    return expected.law.empty() ||
-           std::all_of(record.failed.begin(), record.failed.end(), [&](const std::string& what) {
-               return GlobMatches("law '" + expected.law + "'", what);
-           });
+std::string CauseText(const ExpectedFailure& expected) {
+    return expected.status + ": " + expected.cause +
+           (expected.link.empty() ? "" : " (" + expected.link + ")");
 }
 
-// Applies the case's expected failures: a failure that is known counts as good, a pass that was
-// expected to fail does not, for then the case tells something that is no longer true.
-void ApplyExpectation(const ExpectedFailure& expected, Record& record) {
-    if (record.verdict == Verdict::kSkip) {
+// Applies the expected failures that are about this device and recipe. A failure is known where
+// each thing that failed is expected to; a crash or a hang only where the verdict itself is. A pass
+// where a failure is expected is none, for then the case tells something that is no longer true.
+void ApplyExpectations(const std::vector<ExpectedFailure>& expected, Record& record) {
+    if (record.verdict == Verdict::kSkip || expected.empty()) {
         return;
     }
-    if (record.verdict != Verdict::kPass && !Covers(expected, record)) {
+    if (record.verdict == Verdict::kPass) {
+        record.verdict = Verdict::kFail;
+        record.reason = "passes, but is expected to fail (" + CauseText(expected.front()) +
+                        "); take the expectation out of the case";
         return;
     }
-    if (record.verdict != Verdict::kPass) {
-        record.known_cause = expected.status + ": " + expected.cause +
-                             (expected.link.empty() ? "" : " (" + expected.link + ")");
-        return;
+    std::vector<std::string> open = record.failed;
+    if (open.empty()) {
+        open.emplace_back();  // a verdict without a value: a crash, a hang, a refused program
     }
-    record.verdict = Verdict::kFail;
-    record.reason = "passes, but is expected to fail (" + expected.status + ": " + expected.cause +
-                    "); take the expectation out of the case";
+    std::string causes;
+    for (const ExpectedFailure& one : expected) {
+        if (one.verdict != VerdictName(record.verdict)) {
+            continue;
+        }
+        const std::size_t before = open.size();
+        std::erase_if(open, [&](const std::string& what) {
+            return one.law.empty() || GlobMatches("law '" + one.law + "'", what);
+        });
+        if (open.size() < before) {
+            causes += (causes.empty() ? "" : "; ") + CauseText(one);
+        }
+    }
+    if (open.empty()) {
+        record.known_cause = causes;
+    }
 }
 
 }  // namespace
@@ -268,13 +281,13 @@ Record RunCase(const PreparedCase& prepared, Runner& runner, const Recipe& recip
         record.verdict = record.refused == 0 ? Verdict::kPass : Verdict::kFail;
     }
     record.repeat = RepeatCommand(record, context);
-    for (const ExpectedFailure& expected : prepared.source.expected_failures) {
-        if (GlobMatches(expected.device, record.device) &&
-            GlobMatches(expected.recipe, record.recipe)) {
-            ApplyExpectation(expected, record);
-            break;
-        }
-    }
+    std::vector<ExpectedFailure> expected;
+    std::copy_if(prepared.source.expected_failures.begin(), prepared.source.expected_failures.end(),
+                 std::back_inserter(expected), [&](const ExpectedFailure& one) {
+                     return GlobMatches(one.device, record.device) &&
+                            GlobMatches(one.recipe, record.recipe);
+                 });
+    ApplyExpectations(expected, record);
     record.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return record;

@@ -212,7 +212,7 @@ vec3 reflect_ray(vec3 v, vec3 n)
 
 // The refracted direction, of unit length; the zero vector at total internal reflection; v for
 // equal indices. A normal on the side that v points to is turned round: n1 is always the medium
-// that v travels in. Error in each component: 2e-6 where cos_t > 0.5, 6e-6 where cos_t > 0.1; at
+// that v travels in; a dot(v, n) from 0 to 4e-7, which rounding alone may make, is grazing. Error in each component: 2e-6 where cos_t > 0.5, 6e-6 where cos_t > 0.1; at
 // the critical angle the rounding of dot(v, n) alone moves the direction by its root, 1e-3.
 // Source: thesis eqs. (17), (18); (n1 cos_i - n2 cos_t) without its cancellation.
 vec3 refract_ray(vec3 v, vec3 n, float n1, float n2)
@@ -225,11 +225,11 @@ vec3 refract_ray(vec3 v, vec3 n, float n1, float n2)
         return v;
     }
     float c = -dot(v, n);
-    if (c < 0.0) {
+    if (c < -4e-7) {
         c = -c;
         n = -n;
     }
-    c = min(c, 1.0);
+    c = clamp(c, 0.0, 1.0);
     float square = optics_transmitted_square(n1, n2, c);
     if (square < 0.0) {
         return vec3(0.0);
