@@ -22,8 +22,8 @@
 namespace etalon {
 namespace {
 
-std::string FileName(const std::string& path) {
-    return "cases/" + path + ".toml";
+std::filesystem::path FileOf(const std::filesystem::path& root, const std::string& path) {
+    return root / "cases" / (path + ".toml");
 }
 
 class CaseReader {
@@ -223,9 +223,9 @@ class CaseReader {
 }  // namespace
 
 Result<Case> ReadCase(const std::filesystem::path& root, const std::string& path) {
-    const std::filesystem::path file = root / FileName(path);
+    const std::filesystem::path file = FileOf(root, path);
     ETALON_TRY(text, ReadTextFile(file));
-    const TomlReader reader(FileName(path));
+    const TomlReader reader(file.string());
     ETALON_TRY(table, reader.Parse(text));
     ETALON_TRY(read, CaseReader(reader, table).Read());
     read.path = path;
@@ -239,7 +239,7 @@ Status<> CheckAcceptance(const Case& checked, const Table& table) {
     for (const Expectation& expectation : checked.expectations) {
         Expression truth = expectation.truth;
         const std::string where =
-            FileName(checked.path) + ":" + std::to_string(expectation.line) + ": ";
+            checked.file.string() + ":" + std::to_string(expectation.line) + ": ";
         if (auto bound = truth.Bind(Symbols(table.variables)); !bound) {
             return Error{where + bound.error().message};
         }

@@ -31,9 +31,15 @@ class CaseTest : public testing::Test {
         EXPECT_TRUE(WriteFile(root_ / "cases/x.toml", text));
         return ReadCase(root_, "x");
     }
+    // The complaint about the case, which begins with its file; the folder is left out.
     std::string Complaint(const std::string& text) {
         const auto read = Read(text);
-        return read ? "" : read.error().message;
+        return read ? "" : BelowRoot(read.error().message);
+    }
+    std::string BelowRoot(const std::string& message) const {
+        const std::string root = root_.string() + "/";
+        EXPECT_EQ(message.substr(0, root.size()), root);
+        return message.substr(std::min(root.size(), message.size()));
     }
 
     std::filesystem::path root_;
@@ -325,7 +331,7 @@ TEST_F(CaseTest, RefusesABlindAcceptance) {
         const auto table = Expand(read->domains, 1, "cases/x.toml");
         EXPECT_TRUE(table);
         const auto checked = CheckAcceptance(*read, *table);
-        return checked ? "" : checked.error().message;
+        return checked ? "" : BelowRoot(checked.error().message);
     };
     EXPECT_EQ(check("x", "absolute = 3.5"), "") << "-2 for 2 would fail";
     EXPECT_EQ(check("x", "absolute = 4"),

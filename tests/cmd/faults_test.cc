@@ -113,7 +113,7 @@ TEST_F(Faults, ProbeNamesEachFault) {
         {"null:memory", "crash: null:memory (glsl): used more than 256 MiB of memory\n"},
         {"null:rejects",
          "fail: null:rejects (glsl): the driver's compiler refused a program that glslang accepts: "
-         "the null device rejects every program\n"},
+         "the null device rejects every program: 0:1: as it was told\n"},
     };
     for (const auto& [device, note] : rows) {
         const bool hangs = std::string_view(device) == "null:hang";

@@ -146,8 +146,8 @@ const std::map<std::string, std::string> kTexts = {
      "  error     2 ulp, 2.38e-07 absolute, 2 times the tolerance\n"
      "  rule      above(x, 2) <= x, within ulp 1\n"},
     {"expected_failure",
-     "  reason    passes, but is expected to fail (bug: the shader adds two floats); "
-     "take the expectation out of the case\n"},
+     "  reason    passes, but is expected to fail (bug: the shader adds two floats "
+     "(https://example.org/1)); take the expectation out of the case\n"},
 };
 
 TEST(MustFail, TheTextHasEveryFigure) {

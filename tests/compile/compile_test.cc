@@ -288,6 +288,20 @@ TEST_F(CompileTest, ASamplerThatNoSourceDeclaresIsDeclared) {
     EXPECT_EQ(CompileError(call, "glsl", {Target::Client::kOpenGl, 450}), "");
 }
 
+TEST_F(CompileTest, ADriverGetsABodyForWhatTheCallDoesNotReach) {
+    const auto source =
+        Write("unreached.glsl",
+              "float height(vec2 uv);\nfloat use(float x) { return height(vec2(x)); }\n"
+              "float f(float x) { return x; }\n");
+    Program program;
+    Call call = MakeCall(source, "f(x)", {kX});
+    ASSERT_EQ(CompileError(call, "glsl", {Target::Client::kOpenGl, 450}, &program), "");
+    EXPECT_THAT(program.glsl, HasSubstr("float height(vec2 etalon_p0) {"));
+    call.wanted[0].text = "use(x)";
+    EXPECT_THAT(CompileError(call, "glsl", {Target::Client::kOpenGl, 450}),
+                HasSubstr("'height' is declared but not"));
+}
+
 TEST_F(CompileTest, InputsSetUniformsOfTheirNames) {
     Write("light/uniforms.glsl", "uniform float gain;\n");
     const auto source =

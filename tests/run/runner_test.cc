@@ -187,7 +187,7 @@ TEST_F(RunnerTest, KeepsTheWorkerThatOnlyRefuses) {
     EXPECT_EQ(rejected.error().kind, Kind::kRejected);
     EXPECT_EQ(rejected.error().reason,
               "the driver's compiler refused a program that glslang accepts: "
-              "the null device rejects every program");
+              "the null device rejects every program: 0:1: as it was told");
     Runner unsupported = Open("unsupported");
     const auto declined = Evaluate(unsupported);
     ASSERT_FALSE(declined);
