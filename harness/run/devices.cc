@@ -137,6 +137,12 @@ Result<DeviceSet> OpenDevices(const DeviceChoice& choice) {
         }
     }
     if (!unmatched.empty()) {
+        const auto tried = std::find_if(
+            set.absent.begin(), set.absent.end(),
+            [&](const DeviceNote& note) { return GlobMatches(*unmatched.begin(), note.name); });
+        if (tried != set.absent.end()) {
+            return Error{tried->name + ": does not open (" + tried->reason + ")"};
+        }
         const std::string hint =
             unmatched.begin()->find(':') == std::string::npos
                 ? "; '" + *unmatched.begin() + ":*' would name all of that interface"
