@@ -173,7 +173,7 @@ int Run(RunChoice choice, const std::string& root, const DeviceOptions& options,
         return Complain(outcome.error().message);
     }
     if (outcome->listed_only) {
-        return 0;
+        return outcome->report_error.empty() ? 0 : Complain(outcome->report_error);
     }
     int passed = 0;
     int failed = 0;
@@ -189,6 +189,9 @@ int Run(RunChoice choice, const std::string& root, const DeviceOptions& options,
         if (auto written = WriteFile(json, RunJson(outcome->record)); !written) {
             return Complain("--json: " + written.error().message);
         }
+    }
+    if (!outcome->report_error.empty()) {
+        return Complain(outcome->report_error);
     }
     if (outcome->nothing_ran) {
         return Complain("no test ran: every one was skipped");

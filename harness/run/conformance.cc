@@ -17,6 +17,7 @@
 #include "run/case_choice.h"
 #include "run/case_run.h"
 #include "run/fit.h"
+#include "run/gtest_report.h"
 #include "run/progress.h"
 #include "run/schedule.h"
 
@@ -319,7 +320,9 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     shared.record.absent = shared.devices.absent;
     shared.record.version = ETALON_VERSION;
 
-    ETALON_TRY_STEP(InitGoogleTest(choice.gtest_arguments));
+    std::vector<std::string> gtest_arguments = choice.gtest_arguments;
+    const GtestReport report(gtest_arguments);
+    ETALON_TRY_STEP(InitGoogleTest(gtest_arguments));
     ETALON_TRY_STEP(RegisterAll(shared, choice));
     ::testing::UnitTest& tests = *::testing::UnitTest::GetInstance();
     RunOutcome outcome;
@@ -332,6 +335,9 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
             new Listener(shared.record.records, choice.verbose, tests.total_test_count()));
     }
     outcome.good = RUN_ALL_TESTS() == 0;
+    if (auto written = report.Write(); !written) {
+        outcome.report_error = written.error().message;
+    }
     shared.record.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     outcome.record = std::move(shared.record);

@@ -28,6 +28,7 @@ struct RunOutcome {
     bool listed_only = false;  // --gtest_list_tests or --help: nothing ran
     bool nothing_ran = false;  // every test was skipped
     bool good = false;         // no test failed
+    std::string report_error;  // why GoogleTest's report could not be written; empty where it was
 };
 
 // Prepares the cases, opens the devices, registers the tests and runs them. To be called once in a

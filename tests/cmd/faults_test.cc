@@ -287,6 +287,9 @@ TEST_F(Faults, AReportThatCannotBeWrittenIsTold) {
     const Finished full = Run({"-d", "null:echo", "--json", "/dev/full"});
     EXPECT_EQ(full.status, 2);
     EXPECT_EQ(full.err, "etalon: --json: /dev/full: No space left on device\n");
+    const Finished xml = Run({"-d", "null:echo", "--gtest_output=xml:/dev/full"});
+    EXPECT_EQ(xml.status, 2);
+    EXPECT_EQ(xml.err, "etalon: --gtest_output: /dev/full: No space left on device\n");
     const Finished folder = Run({"-d", "null:echo", "--json", "."});
     EXPECT_EQ(folder.status, 2);
     EXPECT_EQ(folder.err, "etalon: --json: .: is a folder, not a file\n");
