@@ -254,34 +254,71 @@ Uniforms ReadUniforms(const std::vector<std::string_view>& tokens) {
 
 constexpr std::string_view kUniform = "uniform";
 
+// What replaces a part of the text.
+struct Edit {
+    std::size_t place;
+    std::size_t length;
+    std::string_view text;
+};
+
+// Words that may stand before `in` and `out`, but not before `uniform`.
+bool IsInterpolation(std::string_view word) {
+    return word == "flat" || word == "smooth" || word == "noperspective" || word == "centroid" ||
+           word == "sample" || word == "invariant";
+}
+
+// How the variables of a shader's stage are declared, in GLSL of any version.
+bool IsOfStage(std::string_view word) {
+    return word == "in" || word == "out" || word == "varying" || word == "attribute";
+}
+
 bool Has(const std::vector<std::string>& words, const std::string& word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// Reads the declarations of the text. `globals` receives the places of the words `uniform` that
-// must go.
+// Reads the declarations of the text. `edits` receives what must change in it, in its order.
 class NameReader {
   public:
     NameReader(std::string_view text, const std::vector<std::string>& inputs, Dialect& dialect,
-               std::vector<std::size_t>& globals)
-        : tokens_(text), inputs_(inputs), dialect_(dialect), globals_(globals) {}
+               std::vector<Edit>& edits)
+        : tokens_(text), inputs_(inputs), dialect_(dialect), edits_(edits) {}
 
     Status<> Read() {
         std::string_view before;
         std::string_view last;
         int depth = 0;
+        int brackets = 0;
+        std::size_t layout = 0;  // where the last one begins
         for (std::string_view token = tokens_.Next(); !token.empty(); token = tokens_.Next()) {
             if (token.starts_with(kReserved)) {
                 return Error{std::to_string(tokens_.line()) + ": '" + std::string(token) +
                              "': names that begin with '" + std::string(kReserved) +
                              "' belong to the probe"};
             }
+            const bool is_outside = depth == 0 && brackets == 0;
             if (token == kUniform) {
-                ETALON_TRY(end, TakeUniforms());
+                ETALON_TRY(end, TakeUniforms({tokens_.begin(), kUniform.size(), ""}));
                 token = end;
+            } else if (is_outside && IsOfStage(token)) {
+                ETALON_TRY(end, TakeStageVariables(token));
+                token = end;
+            } else if (is_outside && IsInterpolation(token)) {
+                qualifiers_.push_back({tokens_.begin(), token.size(), ""});
+            } else if (is_outside && token == "layout") {
+                layout = tokens_.begin();
+            } else if (is_outside && token != "(") {
+                qualifiers_.clear();
             }
             if (token == "{" || token == "}") {
                 depth += token == "{" ? 1 : -1;
+            } else if (token == "(") {
+                is_layout_ = is_outside && last == "layout";
+                ++brackets;
+            } else if (token == ")") {
+                --brackets;
+                if (is_layout_ && brackets == 0) {
+                    qualifiers_.push_back({layout, tokens_.begin() + 1 - layout, ""});
+                }
             }
             // "TYPE name (" at the top level defines or declares a function.
             if (depth == 0 && token == "(" && IsBuiltIn(last) && !before.empty() &&
@@ -296,22 +333,50 @@ class NameReader {
 
   private:
     // Reads to the end of the declaration, or of the head of a block; returns the token there.
-    Result<std::string_view> TakeUniforms() {
-        const std::size_t place = tokens_.begin();
-        std::vector<std::string_view> declaration;
+    std::string_view ReadDeclaration(std::vector<std::string_view>& declaration) {
         std::string_view token = tokens_.Next();
         for (; !token.empty() && token != ";" && token != "{"; token = tokens_.Next()) {
             declaration.push_back(token);
         }
-        if (token != ";") {
-            return token;
+        return token;
+    }
+
+    // The variables of a whole shader, between whose stages the probe does not stand: what comes in
+    // is as good as a uniform, so that an input can set it, and what goes out a global variable.
+    Result<std::string_view> TakeStageVariables(std::string_view direction) {
+        // A vertex shader writes to its varyings.
+        const bool is_out = direction == "out" || direction == "varying";
+        const Edit word{tokens_.begin(), direction.size(), is_out ? "" : kUniform};
+        const std::vector<Edit> before = std::move(qualifiers_);
+        qualifiers_.clear();
+        std::vector<std::string_view> declaration;
+        const std::string_view end = ReadDeclaration(declaration);
+        // "layout(...) in;" is no variable, and a block must stay what it is.
+        if (declaration.empty() || end != ";") {
+            return end;
         }
-        const Uniforms uniforms = ReadUniforms(declaration);
+        edits_.insert(edits_.end(), before.begin(), before.end());
+        edits_.push_back(word);
+        return SetByInputs(ReadUniforms(declaration), {word.place, word.length, ""}, end);
+    }
+
+    Result<std::string_view> TakeUniforms(Edit without_word) {
+        std::vector<std::string_view> declaration;
+        const std::string_view end = ReadDeclaration(declaration);
+        if (end != ";") {
+            return end;
+        }
+        return SetByInputs(ReadUniforms(declaration), without_word, end);
+    }
+
+    // Makes those uniforms global variables that have a value or receive one from an input.
+    Result<std::string_view> SetByInputs(const Uniforms& uniforms, Edit without_word,
+                                         std::string_view end) {
         if (uniforms.is_opaque) {
             for (const std::string& name : uniforms.names) {
                 AddOnce(name, dialect_.samplers);
             }
-            return token;
+            return end;
         }
         std::string without;
         bool any_input = false;
@@ -326,19 +391,24 @@ class NameReader {
         // A uniform without a value stays one, so that the compiler tells whether the call reaches
         // it; those that are declared together go together.
         if (without.empty()) {
-            globals_.push_back(place);
+            if (!edits_.empty() && edits_.back().place == without_word.place) {
+                edits_.pop_back();
+            }
+            edits_.push_back(without_word);
         } else if (any_input) {
             return Error{
                 std::to_string(tokens_.line()) + ": uniform '" + without +
                 "' has no value, but stands in one declaration with one that an input sets"};
         }
-        return token;
+        return end;
     }
 
     Tokens tokens_;
     const std::vector<std::string>& inputs_;
     Dialect& dialect_;
-    std::vector<std::size_t>& globals_;
+    std::vector<Edit>& edits_;
+    std::vector<Edit> qualifiers_;  // those just read, should a variable of the stage follow
+    bool is_layout_ = false;        // of the bracket that is open
 };
 
 }  // namespace
@@ -351,10 +421,10 @@ Result<std::string> PrepareSource(std::string text, const std::vector<std::strin
     }
     JoinLines(text);
     TakeVersion(text, dialect);
-    std::vector<std::size_t> globals;
-    ETALON_TRY_STEP(NameReader(text, inputs, dialect, globals).Read());
-    for (const std::size_t place : globals) {
-        text.replace(place, kUniform.size(), kUniform.size(), ' ');
+    std::vector<Edit> edits;
+    ETALON_TRY_STEP(NameReader(text, inputs, dialect, edits).Read());
+    for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit) {
+        text.replace(edit->place, edit->length, edit->text);
     }
     // A last line without its end would run into the line after the #include.
     text.push_back('\n');

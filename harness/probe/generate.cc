@@ -126,7 +126,9 @@ void Prologue(const Call& call, const Dialect& dialect, Text& out) {
             out << "uniform sampler2D " << image.name << ";\n";
         }
     }
-    out << "#define main etalon_word_main\n";
+    out << "#define main etalon_word_main\n"
+           "vec4 etalon_word_position;\n"
+           "#define gl_Position etalon_word_position\n";
     if (dialect.rename_redefined) {
         for (const std::string& word : dialect.redefined) {
             out << "#define " << word << " etalon_word_" << word << "\n";

@@ -313,6 +313,41 @@ TEST_F(Probe, AlignsItsTableForPeople) {
               "null:echo  glsl    123456  123456\n");
 }
 
+TEST_F(Probe, CallsFunctionsOfWholeShaders) {
+    folder_.Write("whole.frag", R"(#version 330
+layout(location = 0) in vec3 normal;
+flat in int id;
+smooth centroid in vec2 uv, unused;
+layout(location = 0) out vec4 color;
+float shade(float x) { return x * normal.z + float(id); }
+float plain(float x) { color = vec4(x); return color.y; }
+void main() { color = vec4(shade(uv.x)); }
+)");
+    folder_.Write("whole.vert", R"(
+attribute vec3 place;
+varying vec3 passed;
+float moved(float x) { passed = place; return x * passed.y; }
+void main() { gl_Position = vec4(place, moved(1.0)); }
+)");
+    for (const char* recipe : {"glsl", "glsl+fragment", "spirv"}) {
+        EXPECT_THAT(
+            Table("shade(x)",
+                  {"--at", "x=2,normal.x=0,normal.y=0,normal.z=3,id:int=7", "--recipe", recipe},
+                  "whole.frag"),
+            testing::Contains("2,0,0,3,7,13"));
+        EXPECT_THAT(Table("plain(x)", {"--at", "x=2", "--recipe", recipe}, "whole.frag"),
+                    testing::Contains("2,2"));
+        EXPECT_THAT(
+            Table("moved(x)", {"--at", "x=2,place.x=0,place.y=4,place.z=0", "--recipe", recipe},
+                  "whole.vert"),
+            testing::Contains("2,0,4,0,8"));
+    }
+    const Finished unset = RunEtalon(
+        {"probe", "whole.frag", "shade(x)", "--at", "x=2", "-d", SoftwareDevice()}, options_);
+    EXPECT_EQ(unset.status, 2);
+    EXPECT_THAT(unset.err, HasSubstr("'normal' has no value; an input of its name gives it one"));
+}
+
 TEST_F(Probe, TakesManyRows) {
     constexpr int kRows = 300'000;  // more than one dispatch
     std::string csv = "u:uint\n";
