@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/file.h"
+#include "case/like.h"
 #include "case/read_domain.h"
 #include "case/read_judgement.h"
 #include "case/toml_reader.h"
 
 // The keys of a case:
 //
+//   like              the file or address of a case or part whose keys this one has too
+//   covers            ids of what the case shows
 //   description, source, call, family, seed, with, include, define, out, recipes
 //   oracle            an expression, or one by output: { result = "...", t = "..." }
 //   accept            { exact = true } or any of ulp, absolute, relative, and flush = false; or by
@@ -26,17 +28,20 @@ std::filesystem::path FileOf(const std::filesystem::path& root, const std::strin
     return root / "cases" / (path + ".toml");
 }
 
+// "F4": a capital and a number.
+bool IsId(const std::string& text) {
+    return text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' &&
+           std::all_of(text.begin() + 1, text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
 class CaseReader {
   public:
     CaseReader(const TomlReader& reader, const toml::table& table)
         : reader_(reader), table_(table) {}
 
     Result<Case> Read() {
-        ETALON_TRY_STEP(
-            reader_.OnlyKeys(table_, {"description", "source", "call", "oracle", "accept", "family",
-                                      "seed", "combine", "where", "recipes", "with", "include",
-                                      "define", "out", "domain", "law", "expected_failure"}));
         ETALON_TRY_STEP(ReadCall());
+        ETALON_TRY_STEP(ReadCovers());
         ETALON_TRY_STEP(ReadDomains());
         ETALON_TRY_STEP(ReadExpectations());
         ETALON_TRY_STEP(ReadLaws());
@@ -60,7 +65,7 @@ class CaseReader {
         case_.description = description;
         case_.source = source;
         case_.call = call;
-        case_.call_line = TomlReader::Line(*table_.get("call"));
+        case_.call_place = reader_.PlaceOf(*table_.get("call"));
         case_.family = family;
         const std::pair<const char*, std::vector<std::string>*> lists[] = {
             {"recipes", &case_.recipes}, {"with", &case_.with}, {"include", &case_.include}};
@@ -87,6 +92,26 @@ class CaseReader {
             ETALON_TRY(seed, reader_.Count(*node, "'seed'"));
             case_.seed = seed;
         }
+        return Ok();
+    }
+
+    Status<> ReadCovers() {
+        const toml::node* node = table_.get("covers");
+        if (node == nullptr) {
+            return Ok();
+        }
+        ETALON_TRY(ids, reader_.Texts(*node, "'covers'"));
+        for (const std::string& id : ids) {
+            if (!IsId(id)) {
+                return reader_.Fail(*node, "'covers': '" + id +
+                                               "' is no id, which reads as F4 does: a letter "
+                                               "and a number");
+            }
+            if (std::count(ids.begin(), ids.end(), id) > 1) {
+                return reader_.Fail(*node, "'covers' names " + id + " twice");
+            }
+        }
+        case_.covers = ids;
         return Ok();
     }
 
@@ -196,7 +221,7 @@ class CaseReader {
         }
         ETALON_TRY(accept, ReadAcceptance(reader_, *rule));
         expectation.accept = accept;
-        expectation.line = TomlReader::Line(*rule);
+        expectation.place = reader_.PlaceOf(*rule);
         case_.expectations.push_back(std::move(expectation));
         return Ok();
     }
@@ -224,9 +249,8 @@ class CaseReader {
 
 Result<Case> ReadCase(const std::filesystem::path& root, const std::string& path) {
     const std::filesystem::path file = FileOf(root, path);
-    ETALON_TRY(text, ReadTextFile(file));
+    ETALON_TRY(table, ReadKeys(root, file));
     const TomlReader reader(file.string());
-    ETALON_TRY(table, reader.Parse(text));
     ETALON_TRY(read, CaseReader(reader, table).Read());
     read.path = path;
     read.file = file;
@@ -238,8 +262,7 @@ Status<> CheckAcceptance(const Case& checked, const Table& table) {
     constexpr std::uint64_t kBlock = 1024;
     for (const Expectation& expectation : checked.expectations) {
         Expression truth = expectation.truth;
-        const std::string where =
-            checked.file.string() + ":" + std::to_string(expectation.line) + ": ";
+        const std::string where = expectation.place.Text();
         if (auto bound = truth.Bind(Symbols(table.variables)); !bound) {
             return Error{where + bound.error().message};
         }
@@ -280,7 +303,7 @@ Result<std::vector<std::string>> ListCases(const std::filesystem::path& root) {
     std::filesystem::recursive_directory_iterator at(folder, code);
     std::vector<std::string> paths;
     for (; !code && at != std::filesystem::recursive_directory_iterator(); at.increment(code)) {
-        if (at->is_regular_file() && at->path().extension() == ".toml") {
+        if (at->is_regular_file() && at->path().extension() == ".toml" && !IsPart(at->path())) {
             paths.push_back(
                 at->path().lexically_relative(folder).replace_extension().generic_string());
         }

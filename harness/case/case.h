@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "case/domain.h"
 #include "case/expression.h"
+#include "case/place.h"
 #include "numeric/acceptance.h"
 
 namespace etalon {
@@ -19,7 +20,7 @@ struct Expectation {
     std::string output;  // "result" or the name of an out parameter
     Expression truth;    // over the inputs, bound to the first domain's in their order
     Acceptance accept;
-    int line = 0;  // of the acceptance
+    Place place;  // of the acceptance
 };
 
 enum class Relation : std::uint8_t { kEqual, kLessEqual, kGreaterEqual, kLess, kGreater };
@@ -32,7 +33,7 @@ struct Law {
     std::string right;
     Relation relation = Relation::kEqual;
     Acceptance within;
-    int line = 0;
+    Place place;
 };
 
 // A failure that is known: where, and why. A case that passes where it is expected to fail is a
@@ -55,8 +56,9 @@ struct Case {
     std::string description;
     std::string source;
     std::string call;
-    int call_line = 0;
+    Place call_place;
     std::string family;
+    std::vector<std::string> covers;  // ids of what the case shows: "F4", "D14"
     std::map<std::string, std::string> define;
     std::vector<std::string> include;
     std::vector<std::string> with;           // sources, or NAME=IMAGE
@@ -77,7 +79,8 @@ Result<Case> ReadCase(const std::filesystem::path& root, const std::string& path
 // -truth, 2 truth and truth + 1 would pass; or where there is no truth at any row.
 Status<> CheckAcceptance(const Case& checked, const Table& table);
 
-// The addresses of all cases under root/cases, sorted. Fails where the folder is missing.
+// The addresses of all cases under root/cases, sorted; files NAME.part.toml are none. Fails where
+// the folder is missing.
 Result<std::vector<std::string>> ListCases(const std::filesystem::path& root);
 
 }  // namespace etalon

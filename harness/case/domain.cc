@@ -7,6 +7,7 @@
 #include "base/check.h"
 #include "case/expression_functions.h"
 #include "case/input_values.h"
+#include "case/place.h"
 #include "numeric/sampling.h"
 #include "numeric/ulp.h"
 
@@ -55,8 +56,7 @@ std::vector<std::string> Dependencies(const Input& input) {
 
 class Expansion {
   public:
-    Expansion(const Domain& domain, std::uint64_t seed, const std::string& file)
-        : domain_(domain), seed_(seed), file_(file) {}
+    Expansion(const Domain& domain, std::uint64_t seed) : domain_(domain), seed_(seed) {}
 
     Result<Grid> Run() {
         std::vector<const Input*> waiting;
@@ -86,7 +86,7 @@ class Expansion {
 
   private:
     Error Fail(int line, const std::string& reason) const {
-        return Error{file_ + ":" + std::to_string(line) + ": " + reason};
+        return Error{Place{domain_.file, line}.Text() + reason};
     }
     Error Fail(const Input& input, const std::string& reason) const {
         return Fail(input.line, "input '" + input.name + "': " + reason);
@@ -383,7 +383,6 @@ class Expansion {
 
     const Domain& domain_;
     std::uint64_t seed_;
-    const std::string& file_;
     Grid grid_;
     bool filtered_ = false;
 };
@@ -429,14 +428,13 @@ std::vector<std::vector<double>> Numbers(const Table& table, std::uint64_t first
     return numbers;
 }
 
-Result<Table> Expand(const std::vector<Domain>& domains, std::uint64_t seed,
-                     const std::string& file) {
+Result<Table> Expand(const std::vector<Domain>& domains, std::uint64_t seed) {
     ETALON_CHECK(!domains.empty());
     Table table;
     for (const Input& input : domains[0].inputs) {
         const auto columns = ColumnsOf(input.name, input.type);
         if (!columns) {
-            return Error{file + ":" + std::to_string(input.line) + ": " + columns.error().message};
+            return Error{Place{domains[0].file, input.line}.Text() + columns.error().message};
         }
         table.variables.push_back({input.name, input.type,
                                    static_cast<std::uint32_t>(table.columns.size()),
@@ -446,8 +444,8 @@ Result<Table> Expand(const std::vector<Domain>& domains, std::uint64_t seed,
     std::vector<Grid> grids;
     for (const Domain& domain : domains) {
         // Each domain of a case draws samples of its own.
-        ETALON_TRY(grid, Expansion(domain, Mix(seed, grids.size()), file).Run());
-        const std::string where = file + ":" + std::to_string(domain.line) + ": ";
+        ETALON_TRY(grid, Expansion(domain, Mix(seed, grids.size())).Run());
+        const std::string where = Place{domain.file, domain.line}.Text();
         bool same = grid.entries.size() == table.variables.size();
         for (const Variable& variable : table.variables) {
             const Grid::Entry* entry = grid.Find(variable.name);

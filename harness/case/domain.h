@@ -32,6 +32,7 @@ struct Domain {
     std::vector<Input> inputs;
     bool zip = false;                 // rows side by side instead of every combination
     std::optional<Expression> where;  // rows for which this is false are left out
+    std::string file;                 // where it and its inputs stand
     int line = 0;
 };
 
@@ -75,8 +76,7 @@ struct Table {
 // Side by side (zip): a range or sphere has exactly `count` values in random order; a list of one
 // value stands beside every row; edges cannot be had.
 // A vector's range draws each component by itself, `count` values in all.
-Result<Table> Expand(const std::vector<Domain>& domains, std::uint64_t seed,
-                     const std::string& file);
+Result<Table> Expand(const std::vector<Domain>& domains, std::uint64_t seed);
 
 // The columns of a variable of a basic GLSL type: "v.x", "v.y"; "m[0].x" (column 0, row x) for
 // matrices; itself for a scalar. Fails for a type that is not scalar, vector or matrix.

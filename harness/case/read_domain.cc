@@ -234,6 +234,7 @@ Status<> CheckExpression(const TomlReader& reader, const toml::node& node,
 Result<Domain> ReadDomain(const TomlReader& reader, const toml::table& table,
                           const DomainDefaults& defaults) {
     Domain domain;
+    domain.file = reader.PlaceOf(table).file;
     domain.line = TomlReader::Line(table);
     domain.zip = defaults.zip;
     std::vector<const toml::node*> conditions;

@@ -125,7 +125,7 @@ Result<Law> ReadLaw(const TomlReader& reader, const toml::table& table) {
     ETALON_TRY(name, reader.TextAt(table, "name", std::nullopt));
     ETALON_TRY(holds, reader.TextAt(table, "holds", std::nullopt));
     law.name = name;
-    law.line = TomlReader::Line(*table.get("holds"));
+    law.place = reader.PlaceOf(*table.get("holds"));
     const auto comparison = SplitComparison(holds);
     if (!comparison) {
         return reader.Fail(*table.get("holds"), "'holds': " + comparison.error().message);

@@ -10,7 +10,7 @@
 namespace etalon {
 
 Result<toml::table> TomlReader::Parse(std::string_view text) const {
-    toml::parse_result parsed = toml::parse(text);
+    toml::parse_result parsed = toml::parse(text, file_);
     if (parsed) {
         return std::move(parsed).table();
     }
@@ -26,8 +26,12 @@ int TomlReader::Line(const toml::node& node) {
     return static_cast<int>(std::max<toml::source_index>(node.source().begin.line, 1));
 }
 
+Place TomlReader::PlaceOf(const toml::node& node) const {
+    return {node.source().path ? *node.source().path : file_, Line(node)};
+}
+
 Error TomlReader::Fail(const toml::node& at, const std::string& reason) const {
-    return Fail(Line(at), reason);
+    return Error{PlaceOf(at).Text() + reason};
 }
 
 Error TomlReader::Fail(int line, const std::string& reason) const {
@@ -45,17 +49,17 @@ Error TomlReader::FailInside(const toml::node& at, const Error& error) const {
     }
     std::size_t digits = 0;
     const unsigned long column = std::stoul(error.message.substr(kPrefix.size()), &digits);
-    return Error{file_ + ":" + std::to_string(region.begin.line) + ":" +
+    const Place place = PlaceOf(at);
+    return Error{place.file + ":" + std::to_string(place.line) + ":" +
                  std::to_string(region.begin.column + column) +
                  error.message.substr(kPrefix.size() + digits)};
 }
 
 Status<> TomlReader::OnlyKeys(const toml::table& table,
-                              std::initializer_list<std::string_view> keys) const {
+                              std::span<const std::string_view> keys) const {
     for (const auto& [key, node] : InOrder(table)) {
         if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-            return Fail(*node,
-                        "unknown key '" + key + "'" + Suggestion(key, {keys.begin(), keys.size()}));
+            return Fail(*node, "unknown key '" + key + "'" + Suggestion(key, keys));
         }
     }
     return Ok();

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +17,7 @@
 
 #include "base/result.h"
 #include "case/expression.h"
+#include "case/place.h"
 
 namespace etalon {
 
@@ -29,7 +31,7 @@ class TomlReader {
     // "file:line:column: reason" for what is not TOML.
     Result<toml::table> Parse(std::string_view text) const;
 
-    // "file:line: reason"
+    // "file:line: reason"; the file is the node's own, whichever reader asks.
     Error Fail(const toml::node& at, const std::string& reason) const;
     Error Fail(int line, const std::string& reason) const;
 
@@ -38,11 +40,16 @@ class TomlReader {
     Error FailInside(const toml::node& at, const Error& error) const;
 
     // Fails at the first key that is not among `keys`, and names the nearest of them.
-    Status<> OnlyKeys(const toml::table& table, std::initializer_list<std::string_view> keys) const;
+    Status<> OnlyKeys(const toml::table& table, std::span<const std::string_view> keys) const;
+    Status<> OnlyKeys(const toml::table& table,
+                      std::initializer_list<std::string_view> keys) const {
+        return OnlyKeys(table, {keys.begin(), keys.size()});
+    }
 
     // The keys and values in the order of the file.
     static std::vector<std::pair<std::string, const toml::node*>> InOrder(const toml::table& table);
     static int Line(const toml::node& node);
+    Place PlaceOf(const toml::node& node) const;
 
     // Each of these fails where the value has another type. `what` names the value: "'source'".
     Result<std::string> Text(const toml::node& node, const std::string& what) const;

@@ -51,21 +51,14 @@ ordered_json ObservationJson(const Observation& observation) {
 }
 
 ordered_json RecordJson(const Record& record) {
-    ordered_json json = {{"case", record.case_path},
-                         {"device", record.device},
-                         {"recipe", record.recipe},
-                         {"family", record.family},
-                         {"verdict", VerdictName(record.verdict)},
-                         {"reason", record.reason},
-                         {"seed", record.seed},
-                         {"rows", record.rows},
-                         {"judged", record.judged},
-                         {"refused", record.refused},
-                         {"failed", record.failed},
-                         {"repeat", record.repeat},
-                         {"known_cause", record.known_cause},
-                         {"flake", record.flake},
-                         {"seconds", Number(record.seconds)}};
+    ordered_json json = {{"case", record.case_path},  {"device", record.device},
+                         {"recipe", record.recipe},   {"family", record.family},
+                         {"covers", record.covers},   {"verdict", VerdictName(record.verdict)},
+                         {"reason", record.reason},   {"seed", record.seed},
+                         {"rows", record.rows},       {"judged", record.judged},
+                         {"refused", record.refused}, {"failed", record.failed},
+                         {"repeat", record.repeat},   {"known_cause", record.known_cause},
+                         {"flake", record.flake},     {"seconds", Number(record.seconds)}};
     json["worst"] = record.worst ? ObservationJson(*record.worst) : ordered_json(nullptr);
     return json;
 }

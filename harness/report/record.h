@@ -37,6 +37,7 @@ struct Record {
     std::string device;
     std::string recipe;
     std::string family;
+    std::vector<std::string> covers;  // ids of what the case shows
     Verdict verdict = Verdict::kPass;
     std::string reason;  // of a skip, crash, timeout, or a rejected program
     std::uint64_t seed = 0;

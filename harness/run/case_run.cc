@@ -266,6 +266,7 @@ Record RunCase(const PreparedCase& prepared, Runner& runner, const Recipe& recip
     record.device = runner.info().name;
     record.recipe = RecipeText(recipe);
     record.family = prepared.source.family;
+    record.covers = prepared.source.covers;
     record.seed = prepared.source.seed;
     record.rows = prepared.table.rows;
     Collector collector(prepared, record);

@@ -56,6 +56,7 @@ struct Shared {
         }
         Record skipped;
         skipped.case_path = cases[planned.case_index].source.path;
+        skipped.covers = cases[planned.case_index].source.covers;
         skipped.device = planned.runner->info().name;
         skipped.recipe = planned.recipe_text;
         skipped.verdict = Verdict::kSkip;

@@ -90,10 +90,6 @@ std::vector<Symbol> Symbols(const Table& table) {
     return symbols;
 }
 
-std::string At(const Case& source, int line) {
-    return source.file.string() + ":" + std::to_string(line) + ": ";
-}
-
 Result<Call> CallOf(const Case& source, const Table& table) {
     Call call;
     call.source = source.root / source.source;
@@ -137,11 +133,11 @@ Result<std::vector<JudgedColumn>> JudgedColumns(const Case& source, const Table&
         Expression truth = expectation.truth;
         ETALON_TRY(components, truth.Bind(symbols));
         if (columns.empty()) {
-            return Error{At(source, expectation.line) + "the call has no output '" +
+            return Error{expectation.place.Text() + "the call has no output '" +
                          expectation.output + "'"};
         }
         if (columns.size() != components) {
-            return Error{At(source, expectation.line) + "'" + expectation.output + "' has " +
+            return Error{expectation.place.Text() + "'" + expectation.output + "' has " +
                          std::to_string(columns.size()) + " components, its oracle " +
                          std::to_string(components)};
         }
@@ -176,11 +172,11 @@ Result<std::vector<JudgedColumn>> JudgedColumns(const Case& source, const Table&
     return judged;
 }
 
-Result<PreparedLaw> PrepareLaw(const Case& source, const Law& law, const Call& call) {
+Result<PreparedLaw> PrepareLaw(const Law& law, const Call& call) {
     PreparedLaw prepared;
     prepared.law = law;
     prepared.call = call;
-    const std::string origin = At(source, law.line) + "law '" + law.name + "'";
+    const std::string origin = law.place.Text() + "law '" + law.name + "'";
     prepared.call.wanted = {{"left", law.left, origin}, {"right", law.right, origin}};
     // The law's own calls declare nothing; only the inputs are theirs.
     std::erase_if(prepared.call.arguments,
@@ -215,14 +211,14 @@ Result<PreparedCase> PrepareWith(const Case& source, Table table) {
     ETALON_TRY(call, CallOf(source, prepared.table));
     prepared.call = std::move(call);
     if (!source.expectations.empty()) {
-        prepared.call.wanted = {{"result", source.call, At(source, source.call_line) + "call"}};
+        prepared.call.wanted = {{"result", source.call, source.call_place.Text() + "call"}};
         ETALON_TRY(signature, Inspect(prepared.call));
         prepared.signature = signature;
         ETALON_TRY(judged, JudgedColumns(source, prepared.table, prepared.call, signature));
         prepared.judged = std::move(judged);
     }
     for (const Law& law : source.laws) {
-        ETALON_TRY(one, PrepareLaw(source, law, prepared.call));
+        ETALON_TRY(one, PrepareLaw(law, prepared.call));
         prepared.laws.push_back(std::move(one));
     }
     return prepared;
@@ -231,13 +227,13 @@ Result<PreparedCase> PrepareWith(const Case& source, Table table) {
 }  // namespace
 
 Result<PreparedCase> Prepare(const Case& source) {
-    ETALON_TRY(table, Expand(source.domains, source.seed, source.file.string()));
+    ETALON_TRY(table, Expand(source.domains, source.seed));
     ETALON_TRY_STEP(CheckAcceptance(source, table));
     return PrepareWith(source, std::move(table));
 }
 
 Result<PreparedCase> PrepareAt(const Case& source, const std::string& at) {
-    ETALON_TRY(all, Expand(source.domains, source.seed, source.file.string()));
+    ETALON_TRY(all, Expand(source.domains, source.seed));
     Table table = RowsOf(all, {0});
     std::vector<bool> given(table.columns.size(), false);
     std::size_t from = 0;

@@ -107,7 +107,7 @@ link = "https://example.org"
     EXPECT_EQ(read->expectations[0].output, "result");
     EXPECT_EQ(read->expectations[0].accept.Text(), "ulp 16 or absolute 1e-09");
     EXPECT_EQ(read->expectations[1].accept.Text(), "exact, no flush");
-    EXPECT_EQ(read->expectations[1].line, 6);
+    EXPECT_EQ(read->expectations[1].place.line, 6);
     ASSERT_EQ(read->laws.size(), 2u);
     EXPECT_EQ(read->laws[0].left, "f(b, a, t) + g(a == b ? 1 : 0)");
     EXPECT_EQ(read->laws[0].relation, Relation::kLessEqual);
@@ -122,7 +122,7 @@ link = "https://example.org"
     EXPECT_TRUE(read->domains[0].zip);
     EXPECT_EQ(read->domains[0].inputs[0].name, "b") << "in the order of the file";
     EXPECT_EQ(read->domains[0].inputs[0].line, 17);
-    const auto table = Expand(read->domains, read->seed, "cases/x.toml");
+    const auto table = Expand(read->domains, read->seed);
     ASSERT_TRUE(table) << table.error().message;
     ASSERT_EQ(table->rows, 1u) << "only a = 2 passes both conditions";
     EXPECT_TRUE(std::isnan(FromBits(table->At(0, 0))));
@@ -143,7 +143,7 @@ w = { sample = "sphere", count = 1 }
     EXPECT_EQ(read->domains[0].inputs[1].type, "vec3");
     EXPECT_EQ(read->domains[0].inputs[0].edges.size(), 2u);
     EXPECT_FALSE(read->domains[0].zip);
-    EXPECT_TRUE(Expand(read->domains, 1, "cases/x.toml"));
+    EXPECT_TRUE(Expand(read->domains, 1));
 }
 
 TEST_F(CaseTest, SaysWhereWhatIsWrong) {
@@ -322,13 +322,28 @@ TEST_F(CaseTest, RefusesWrongLawsAndFailures) {
               "cases/x.toml:11: unknown key 'statsu'; did you mean 'status'?");
 }
 
+TEST_F(CaseTest, ReadsCovers) {
+    const auto read = Read(kHead + "covers = [\"F4\", \"D14\"]\n" + kDomain);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_THAT(read->covers, ElementsAre("F4", "D14"));
+    for (const char* wrong : {"f4", "F", "4", "F4a", "FF4", ""}) {
+        EXPECT_EQ(Complaint(kHead + "covers = [\"" + wrong + "\"]\n" + kDomain),
+                  "cases/x.toml:6: 'covers': '" + std::string(wrong) +
+                      "' is no id, which reads as F4 does: a letter and a number");
+    }
+    EXPECT_EQ(Complaint(kHead + "covers = [\"F4\", \"F4\"]\n" + kDomain),
+              "cases/x.toml:6: 'covers' names F4 twice");
+    EXPECT_EQ(Complaint(kHead + "covers = \"F4\"\n" + kDomain),
+              "cases/x.toml:6: 'covers' must be a list");
+}
+
 TEST_F(CaseTest, RefusesABlindAcceptance) {
     const auto check = [this](const std::string& oracle, const std::string& accept) {
         const auto read =
             Read("source = \"s\"\ncall = \"f(x)\"\noracle = \"" + oracle + "\"\naccept = { " +
                  accept + " }\n[domain]\nx = { values = [0.5, 1, 2] }\n");
         EXPECT_TRUE(read) << read.error().message;
-        const auto table = Expand(read->domains, 1, "cases/x.toml");
+        const auto table = Expand(read->domains, 1);
         EXPECT_TRUE(table);
         const auto checked = CheckAcceptance(*read, *table);
         return checked ? "" : BelowRoot(checked.error().message);
@@ -348,6 +363,7 @@ TEST_F(CaseTest, ListsCases) {
     ASSERT_TRUE(WriteFile(root_ / "cases/b.toml", ""));
     ASSERT_TRUE(WriteFile(root_ / "cases/deep/a.toml", ""));
     ASSERT_TRUE(WriteFile(root_ / "cases/scene.glsl", ""));
+    ASSERT_TRUE(WriteFile(root_ / "cases/deep/domain.part.toml", ""));
     const auto cases = ListCases(root_);
     ASSERT_TRUE(cases);
     EXPECT_THAT(*cases, ElementsAre("b", "deep/a"));

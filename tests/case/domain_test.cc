@@ -63,6 +63,7 @@ Domain Of(std::vector<Input> inputs, bool zip = false, const std::string& where 
     Domain domain;
     domain.inputs = std::move(inputs);
     domain.zip = zip;
+    domain.file = "cases/x.toml";
     domain.line = 5;
     if (!where.empty()) {
         domain.where = *Expression::Parse(where);
@@ -71,13 +72,13 @@ Domain Of(std::vector<Input> inputs, bool zip = false, const std::string& where 
 }
 
 Table Expanded(const std::vector<Domain>& domains, std::uint64_t seed = 1) {
-    auto table = Expand(domains, seed, "cases/x.toml");
+    auto table = Expand(domains, seed);
     EXPECT_TRUE(table) << table.error().message;
     return table ? *table : Table{};
 }
 
 std::string Complaint(const std::vector<Domain>& domains) {
-    const auto table = Expand(domains, 1, "cases/x.toml");
+    const auto table = Expand(domains, 1);
     return table ? "" : table.error().message;
 }
 

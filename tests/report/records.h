@@ -36,6 +36,7 @@ inline Record Passed() {
     record.case_path = "optics/fresnel";
     record.device = "osmesa:llvmpipe";
     record.recipe = "glsl";
+    record.covers = {"F4", "D14"};
     record.seed = 7;
     record.rows = 100;
     record.judged = 300;
