@@ -19,7 +19,7 @@
 //   combine, where    for all domains
 //   [domain]          inputs by name, combine, where; or several [[domain]]
 //   [[law]]           name, holds, within
-//   [[expected_failure]]  device, recipe, law, status, cause, link
+//   [[expected_failure]]  device, recipe, law, verdict, status, cause, link, figure
 
 namespace etalon {
 namespace {

@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "case/domain.h"
 #include "case/expression.h"
+#include "case/figure.h"
 #include "case/place.h"
 #include "numeric/acceptance.h"
 
@@ -43,9 +44,11 @@ struct ExpectedFailure {
     std::string recipe;   // pattern
     std::string law;      // pattern of the law's name; empty: whatever was refused
     std::string verdict;  // "fail", "crash" or "timeout"
-    std::string status;   // "bug", "method" or "unimplemented"
+    std::string status;   // "bug", "method", "unimplemented" or "undefined" (the specification
+                          // leaves the value open)
     std::string cause;
     std::string link;
+    std::optional<Figure> figure;  // of a "fail": no other failure is this one
 };
 
 struct Case {

@@ -141,10 +141,51 @@ Result<Law> ReadLaw(const TomlReader& reader, const toml::table& table) {
     return law;
 }
 
+namespace {
+
+Result<Figure> ReadFigure(const TomlReader& reader, const toml::table& table) {
+    ETALON_TRY_STEP(
+        reader.OnlyKeys(table, {"absolute", "relative", "ulp", "value", "refused", "within"}));
+    Figure figure;
+    int measures = 0;
+    for (std::size_t i = 0; i < std::size(kMeasureNames); ++i) {
+        const std::string name = kMeasureNames[i];
+        const toml::node* node = table.get(name);
+        if (node == nullptr) {
+            continue;
+        }
+        ETALON_TRY(value, reader.Number(*node, "'" + name + "'"));
+        figure.measure = static_cast<Figure::Measure>(i);
+        figure.value = value;
+        ++measures;
+        if (figure.measure != Figure::Measure::kValue && !(value > 0)) {
+            return reader.Fail(*node, "'" + name + "' must be a positive number");
+        }
+        if (figure.measure == Figure::Measure::kRefused && value > 1) {
+            return reader.Fail(*node, "'refused' is a share, at most 1");
+        }
+    }
+    if (measures != 1) {
+        return reader.Fail(table,
+                           "'figure' needs exactly one of absolute, relative, ulp, value and "
+                           "refused");
+    }
+    if (const toml::node* node = table.get("within")) {
+        ETALON_TRY(within, reader.Number(*node, "'within'"));
+        if (!(within >= 0 && within < 1)) {
+            return reader.Fail(*node, "'within' must be a number from 0 to below 1");
+        }
+        figure.within = within;
+    }
+    return figure;
+}
+
+}  // namespace
+
 Result<ExpectedFailure> ReadExpectedFailure(const TomlReader& reader, const toml::table& table,
                                             const std::vector<Law>& laws) {
-    ETALON_TRY_STEP(
-        reader.OnlyKeys(table, {"device", "recipe", "law", "verdict", "status", "cause", "link"}));
+    ETALON_TRY_STEP(reader.OnlyKeys(
+        table, {"device", "recipe", "law", "verdict", "status", "cause", "link", "figure"}));
     ETALON_TRY(device, reader.TextAt(table, "device", std::nullopt));
     ETALON_TRY(recipe, reader.TextAt(table, "recipe", "*"));
     ETALON_TRY(law, reader.TextAt(table, "law", ""));
@@ -152,8 +193,10 @@ Result<ExpectedFailure> ReadExpectedFailure(const TomlReader& reader, const toml
     ETALON_TRY(status, reader.TextAt(table, "status", std::nullopt));
     ETALON_TRY(cause, reader.TextAt(table, "cause", std::nullopt));
     ETALON_TRY(link, reader.TextAt(table, "link", ""));
-    if (status != "bug" && status != "method" && status != "unimplemented") {
-        return reader.Fail(*table.get("status"), "'status' must be bug, method or unimplemented");
+    constexpr std::string_view kStatuses[] = {"bug", "method", "unimplemented", "undefined"};
+    if (std::find(std::begin(kStatuses), std::end(kStatuses), status) == std::end(kStatuses)) {
+        return reader.Fail(*table.get("status"),
+                           "'status' must be bug, method, unimplemented or undefined");
     }
     if (verdict != "fail" && verdict != "crash" && verdict != "timeout") {
         return reader.Fail(*table.get("verdict"), "'verdict' must be fail, crash or timeout");
@@ -163,7 +206,16 @@ Result<ExpectedFailure> ReadExpectedFailure(const TomlReader& reader, const toml
     if (!law.empty() && !known) {
         return reader.Fail(*table.get("law"), "no law is called '" + law + "'");
     }
-    return ExpectedFailure{device, recipe, law, verdict, status, cause, link};
+    ExpectedFailure expected{device, recipe, law, verdict, status, cause, link, std::nullopt};
+    if (const toml::node* node = table.get("figure")) {
+        ETALON_TRY(measures, reader.Table(*node, "'figure'"));
+        ETALON_TRY(figure, ReadFigure(reader, *measures));
+        if (verdict != "fail") {
+            return reader.Fail(*node, "'figure' is of a failure by numbers, not of a " + verdict);
+        }
+        expected.figure = figure;
+    }
+    return expected;
 }
 
 }  // namespace etalon

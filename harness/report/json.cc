@@ -59,6 +59,11 @@ ordered_json RecordJson(const Record& record) {
                          {"refused", record.refused}, {"failed", record.failed},
                          {"repeat", record.repeat},   {"known_cause", record.known_cause},
                          {"flake", record.flake},     {"seconds", Number(record.seconds)}};
+    json["figures"] = ordered_json::array();
+    for (const FigureSeen& figure : record.figures) {
+        json["figures"].push_back(
+            {{"expected", figure.expected}, {"seen", figure.seen}, {"agrees", figure.agrees}});
+    }
     json["worst"] = record.worst ? ObservationJson(*record.worst) : ordered_json(nullptr);
     return json;
 }

@@ -32,6 +32,13 @@ struct Observation {
     double used = 0;  // share of the tolerance that the error used; its complement is the margin
 };
 
+// The figure of an expected failure, and what was seen in its place.
+struct FigureSeen {
+    std::string expected;  // "absolute 2.57115 within 0.01"
+    std::string seen;
+    bool agrees = false;
+};
+
 struct Record {
     std::string case_path;
     std::string device;
@@ -48,6 +55,7 @@ struct Record {
     std::optional<Observation> worst;  // by share of the tolerance; absent where nothing was judged
     std::string repeat;                // the command that repeats exactly the worst input
     std::string known_cause;           // of an expected failure that happened
+    std::vector<FigureSeen> figures;   // of the expected failures that have one
     std::string flake;                 // what went wrong once and not again
     double seconds = 0;
 

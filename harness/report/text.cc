@@ -43,6 +43,15 @@ std::string WorstText(const Observation& observation) {
                   InputText(observation, false));
 }
 
+std::string FiguresText(const Record& record) {
+    std::string text;
+    for (const FigureSeen& figure : record.figures) {
+        text +=
+            format("{}figure {}, saw {}", text.empty() ? "" : "; ", figure.expected, figure.seen);
+    }
+    return text;
+}
+
 std::string FailureText(const Record& record) {
     std::string text = format("{} on {} ({}): {}", record.case_path, record.device, record.recipe,
                               VerdictName(record.verdict));

@@ -11,6 +11,9 @@ namespace etalon {
 // that repeats it.
 std::string FailureText(const Record& record);
 
+// "figure absolute 2.57115 within 0.01, saw 2.571149"; empty for a record without figures.
+std::string FiguresText(const Record& record);
+
 // "result.x: 3.2 ulp (20 % of the tolerance) at n1=1, cos_i=0.5".
 std::string WorstText(const Observation& observation);
 

@@ -4,10 +4,10 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
-#include <iterator>
 
 #include "base/check.h"
 #include "base/file.h"
+#include "run/expected_failure.h"
 
 namespace etalon {
 namespace {
@@ -62,20 +62,24 @@ class Collector {
         if (summary.refused > 0) {
             record_.failed.push_back(what);
         }
-        const bool is_worse = !record_.worst || summary.worst_used > record_.worst->used;
-        if (summary.judged == 0 || !is_worse) {
-            return;
+        JudgedThing thing{what, summary.judged, summary.refused, std::nullopt};
+        if (summary.judged > 0) {
+            const std::uint64_t row =
+                summary.worst_used_at == Summary::kNone ? 0 : summary.worst_used_at;
+            thing.worst = observe(row);
+            thing.worst->inputs = InputsAt(prepared_.table, row);
+            if (!record_.worst || summary.worst_used > record_.worst->used) {
+                record_.worst = thing.worst;
+            }
         }
-        const std::uint64_t row =
-            summary.worst_used_at == Summary::kNone ? 0 : summary.worst_used_at;
-        Observation observation = observe(row);
-        observation.inputs = InputsAt(prepared_.table, row);
-        record_.worst = std::move(observation);
+        things_.push_back(std::move(thing));
     }
+    const std::vector<JudgedThing>& things() const { return things_; }
 
   private:
     const PreparedCase& prepared_;
     Record& record_;
+    std::vector<JudgedThing> things_;
 };
 
 void SetFailure(const EvaluationFailure& failure, Record& record) {
@@ -206,7 +210,10 @@ std::string RepeatCommand(const Record& record, const RepeatContext& context) {
     std::string command = context.program + " run " + ShellWord(record.case_path) +
                           context.options + " --device " + ShellWord(record.device) + " --recipe " +
                           record.recipe;
-    if (record.worst) {
+    // A figure is of the whole case.
+    const bool is_figure = std::any_of(record.figures.begin(), record.figures.end(),
+                                       [](const FigureSeen& figure) { return !figure.agrees; });
+    if (record.worst && !is_figure) {
         std::string at;
         for (const auto& [name, value] : record.worst->inputs) {
             at += (at.empty() ? "" : ",") + name + "=" + value.hex;
@@ -214,46 +221,6 @@ std::string RepeatCommand(const Record& record, const RepeatContext& context) {
         command += " --at " + ShellWord(at);
     }
     return command;
-}
-
-std::string CauseText(const ExpectedFailure& expected) {
-    return expected.status + ": " + expected.cause +
-           (expected.link.empty() ? "" : " (" + expected.link + ")");
-}
-
-// Applies the expected failures that are about this device and recipe. A failure is known where
-// each thing that failed is expected to; a crash or a hang only where the verdict itself is. A pass
-// where a failure is expected is none, for then the case tells something that is no longer true.
-void ApplyExpectations(const std::vector<ExpectedFailure>& expected, Record& record) {
-    if (record.verdict == Verdict::kSkip || expected.empty()) {
-        return;
-    }
-    if (record.verdict == Verdict::kPass) {
-        record.verdict = Verdict::kFail;
-        record.reason = "passes, but is expected to fail (" + CauseText(expected.front()) +
-                        "); take the expectation out of the case";
-        return;
-    }
-    std::vector<std::string> open = record.failed;
-    if (open.empty()) {
-        open.emplace_back();  // a verdict without a value: a crash, a hang, a refused program
-    }
-    std::string causes;
-    for (const ExpectedFailure& one : expected) {
-        if (one.verdict != VerdictName(record.verdict)) {
-            continue;
-        }
-        const std::size_t before = open.size();
-        std::erase_if(open, [&](const std::string& what) {
-            return one.law.empty() || GlobMatches("law '" + one.law + "'", what);
-        });
-        if (open.size() < before) {
-            causes += (causes.empty() ? "" : "; ") + CauseText(one);
-        }
-    }
-    if (open.empty()) {
-        record.known_cause = causes;
-    }
 }
 
 }  // namespace
@@ -281,14 +248,8 @@ Record RunCase(const PreparedCase& prepared, Runner& runner, const Recipe& recip
         ETALON_CHECK(record.judged > 0);
         record.verdict = record.refused == 0 ? Verdict::kPass : Verdict::kFail;
     }
+    ApplyExpectations(prepared.source, prepared.extent, collector.things(), record);
     record.repeat = RepeatCommand(record, context);
-    std::vector<ExpectedFailure> expected;
-    std::copy_if(prepared.source.expected_failures.begin(), prepared.source.expected_failures.end(),
-                 std::back_inserter(expected), [&](const ExpectedFailure& one) {
-                     return GlobMatches(one.device, record.device) &&
-                            GlobMatches(one.recipe, record.recipe);
-                 });
-    ApplyExpectations(expected, record);
     record.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return record;

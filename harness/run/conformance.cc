@@ -212,7 +212,9 @@ class Listener : public ::testing::EmptyTestEventListener {
                           : test.result()->Failed()            ? "fail "
                           : test.result()->Skipped()           ? "skip "
                                                                : "pass ")
-                      << name << " (" << test.result()->elapsed_time() << " ms)\n";
+                      << name << " (" << test.result()->elapsed_time() << " ms)"
+                      << (records_.back().figures.empty() ? "" : " ")
+                      << FiguresText(records_.back()) << "\n";
         }
         progress_.Step(name);
     }

@@ -268,7 +268,9 @@ Result<PreparedCase> PrepareAt(const Case& source, const std::string& at) {
             return Error{"--at: no value for input '" + table.columns[i].name + "'"};
         }
     }
-    return PrepareWith(source, std::move(table));
+    ETALON_TRY(prepared, PrepareWith(source, std::move(table)));
+    prepared.extent = Extent::kGiven;
+    return std::move(prepared);
 }
 
 PreparedCase Thin(const PreparedCase& prepared, std::uint64_t count) {
@@ -281,6 +283,7 @@ PreparedCase Thin(const PreparedCase& prepared, std::uint64_t count) {
         chosen.push_back(count == 1 ? 0 : i * (rows - 1) / (count - 1));
     }
     PreparedCase thin = prepared;
+    thin.extent = Extent::kSome;
     thin.table = RowsOf(prepared.table, chosen);
     for (JudgedColumn& column : thin.judged) {
         Truth some;

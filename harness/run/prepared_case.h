@@ -30,6 +30,9 @@ struct PreparedLaw {
     std::vector<Scalar> scalars;
 };
 
+// Which rows of the case's domain are there: all, some of them, or one that the user has given.
+enum class Extent : std::uint8_t { kAll, kSome, kGiven };
+
 struct PreparedCase {
     Case source;
     Table table;
@@ -37,6 +40,7 @@ struct PreparedCase {
     Signature signature;
     std::vector<JudgedColumn> judged;  // empty where the case has laws only
     std::vector<PreparedLaw> laws;
+    Extent extent = Extent::kAll;
 };
 
 // Reads what the case names, expands its domain, finds types and truths. Every mistake in the case

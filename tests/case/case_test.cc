@@ -314,10 +314,30 @@ TEST_F(CaseTest, RefusesWrongLawsAndFailures) {
               "cases/x.toml:12: 'cause' is empty");
     EXPECT_EQ(failure(device + "cause = \"why\""), "cases/x.toml:9: 'status' is missing");
     EXPECT_EQ(failure(device + "status = \"bad\"\ncause = \"why\""),
-              "cases/x.toml:11: 'status' must be bug, method or unimplemented");
+              "cases/x.toml:11: 'status' must be bug, method, unimplemented or undefined");
     EXPECT_EQ(failure("status = \"bug\"\ncause = \"why\""), "cases/x.toml:9: 'device' is missing");
     EXPECT_EQ(failure(device + "law = \"l\"\nstatus = \"bug\"\ncause = \"why\""),
               "cases/x.toml:11: no law is called 'l'");
+    const std::string known = device + "status = \"undefined\"\ncause = \"why\"\n";
+    const auto figure = [&](const std::string& text) {
+        return failure(known + "figure = { " + text + " }");
+    };
+    EXPECT_EQ(figure("absolute = 2.5"), "");
+    EXPECT_EQ(figure("value = -inf, within = 0"), "");
+    EXPECT_EQ(figure("value = \"nan\""), "");
+    EXPECT_EQ(figure("refused = 1"), "");
+    const std::string here = "cases/x.toml:13: ";
+    EXPECT_EQ(figure("absolute = 1, ulp = 2"),
+              here + "'figure' needs exactly one of absolute, relative, ulp, value and refused");
+    EXPECT_EQ(figure("within = 0.1"),
+              here + "'figure' needs exactly one of absolute, relative, ulp, value and refused");
+    EXPECT_EQ(figure("ulp = -2"), here + "'ulp' must be a positive number");
+    EXPECT_EQ(figure("refused = 1.5"), here + "'refused' is a share, at most 1");
+    EXPECT_EQ(figure("ulp = 2, within = 1"), here + "'within' must be a number from 0 to below 1");
+    EXPECT_EQ(figure("upl = 2"), here + "unknown key 'upl'; did you mean 'ulp'?");
+    EXPECT_EQ(failure(known + "figure = 3"), here + "'figure' must be a table");
+    EXPECT_EQ(failure(known + "verdict = \"crash\"\nfigure = { ulp = 2 }"),
+              "cases/x.toml:14: 'figure' is of a failure by numbers, not of a crash");
     EXPECT_EQ(failure(device + "statsu = \"bug\""),
               "cases/x.toml:11: unknown key 'statsu'; did you mean 'status'?");
 }

@@ -37,7 +37,7 @@ TEST(RunJson, ReadsBack) {
         "case": "optics/fresnel", "device": "osmesa:llvmpipe", "recipe": "glsl", "family": "",
         "covers": ["F4", "D14"], "verdict": "pass", "reason": "", "seed": 7, "rows": 100, "judged": 300, "refused": 0,
         "failed": [], "repeat": "etalon run optics/fresnel --at 'n1=0x1.8p+0,steps=3'",
-        "known_cause": "", "flake": "", "seconds": 0.125,
+        "known_cause": "", "figures": [], "flake": "", "seconds": 0.125,
         "worst": {"output": "result.x", "rule": "ulp 16 or absolute 1e-09",
                   "inputs": {"n1": {"decimal": "1.5", "hex": "0x1.8p+0"},
                              "steps": {"decimal": "3", "hex": "3"}},
@@ -45,6 +45,9 @@ TEST(RunJson, ReadsBack) {
                   "expected": {"decimal": "0.10000001", "hex": "0x1.99999cp-4"},
                   "error": 7.45e-9, "ulp_error": 4.0, "used": 0.25}})"));
     EXPECT_EQ(read["records"][1]["failed"], json::parse(R"(["result.x", "law 'energy'"])"));
+    EXPECT_EQ(
+        read["records"][1]["figures"],
+        json::parse(R"([{"expected": "ulp 4 within 0.01", "seen": "inf", "agrees": false}])"));
     EXPECT_EQ(read["records"][2]["verdict"], "timeout");
     EXPECT_EQ(read["records"][2]["worst"], nullptr);
 }
