@@ -245,7 +245,7 @@ int Main(std::vector<std::string> arguments) {
     run->add_option("--root", root, "folder that holds cases/; default: here or above")
         ->type_name("DIR");
     run->add_option("--recipe", run_choice.recipes,
-                    "recipe (spirv, spirv+O, glsl+baked, ...); repeatable; default: the case's or "
+                    "recipe (plain, spirv+O, glsl+baked, ...); repeatable; default: the case's or "
                     "the device's own set")
         ->allow_extra_args(false);
     run->add_option("--at", run_choice.at, "run one case at one input: 'n1=1,n2=0x1.8p+0'");
@@ -296,7 +296,7 @@ int Main(std::vector<std::string> arguments) {
         ->allow_extra_args(false);
     probe
         ->add_option("--recipe", probe_choice.recipes,
-                     "recipe (spirv, spirv+O, glsl+baked, ...); repeatable")
+                     "recipe (plain, spirv+O, glsl+baked, ...); repeatable")
         ->allow_extra_args(false);
     probe->add_flag("--csv", probe_choice.csv, "CSV instead of a table");
     devices.AddTo(*probe);

@@ -3,7 +3,7 @@
 namespace etalon {
 
 std::string RecipeText(const Recipe& recipe) {
-    std::string text = recipe.form == Form::kSpirv ? "spirv" : "glsl";
+    std::string text = recipe.plain ? "plain" : recipe.form == Form::kSpirv ? "spirv" : "glsl";
     if (recipe.optimise != Recipe::Optimise::kNone) {
         text += recipe.optimise == Recipe::Optimise::kSpeed ? "+O" : "+Os";
     }
@@ -33,6 +33,8 @@ Result<Recipe> ParseRecipe(std::string_view text) {
             recipe.form = Form::kSpirv;
         } else if (first && word == "glsl") {
             recipe.form = Form::kGlsl;
+        } else if (first && word == "plain") {
+            recipe.plain = true;
         } else if (!first && (word == "O" || word == "Os") && recipe.form == Form::kSpirv &&
                    recipe.optimise == Recipe::Optimise::kNone) {
             recipe.optimise = word == "O" ? Recipe::Optimise::kSpeed : Recipe::Optimise::kSize;
@@ -45,8 +47,8 @@ Result<Recipe> ParseRecipe(std::string_view text) {
         } else {
             return Error{
                 "unknown recipe '" + whole +
-                "': it is spirv or glsl, then any of +O or +Os (spirv only), +precise, +baked, "
-                "+fragment"};
+                "': it is spirv, glsl or plain, then any of +O or +Os (not for glsl), +precise, "
+                "+baked, +fragment"};
         }
         first = false;
     }

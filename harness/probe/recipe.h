@@ -1,7 +1,8 @@
 // Recipe: how a probe's source reaches a device.
 //
 // As text: the form, then what is added, joined by '+': "spirv", "spirv+O", "spirv+Os+precise",
-// "glsl+baked", "glsl+fragment". The parts always stand in this order.
+// "glsl+baked", "glsl+fragment". The parts always stand in this order. "plain" in place of the form
+// leaves it to the device.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +24,7 @@ struct Recipe {
         false;  // SPIR-V: every operation is NoContraction; text: the result is declared precise
     bool baked = false;             // the inputs are constants of the program
     Stage stage = Stage::kCompute;  // +fragment
+    bool plain = false;             // the device is to choose `form`
 
     bool operator==(const Recipe&) const = default;
 };

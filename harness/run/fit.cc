@@ -11,7 +11,12 @@ Target TargetOf(const DeviceInfo& device) {
 
 Result<Recipe> FitRecipe(const Recipe& recipe, const DeviceInfo& device) {
     Recipe fit = recipe;
-    const std::string form = recipe.form == Form::kSpirv ? "spirv" : "glsl";
+    if (recipe.plain) {
+        fit.plain = false;
+        fit.form =
+            recipe.optimise == Recipe::Optimise::kNone ? DefaultRecipe(device).form : Form::kSpirv;
+    }
+    const std::string form = fit.form == Form::kSpirv ? "spirv" : "glsl";
     if (!device.Has(form)) {
         return Error{device.name + " takes no " + (form == "spirv" ? "SPIR-V" : "GLSL text")};
     }

@@ -13,7 +13,8 @@ namespace etalon {
 // Whose programs the device takes.
 Target TargetOf(const DeviceInfo& device);
 
-// The recipe as this device can run it: the fragment stage where it has no compute. Fails, with the
+// The recipe as this device can run it: the fragment stage where it has no compute; for a plain one
+// the form that the device's default recipe has, and SPIR-V for the optimiser. Fails, with the
 // reason for a skip, where it cannot.
 Result<Recipe> FitRecipe(const Recipe& recipe, const DeviceInfo& device);
 

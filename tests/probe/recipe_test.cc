@@ -33,15 +33,17 @@ TEST(Recipe, HasOneOrderOfWords) {
     EXPECT_EQ(RecipeText({Form::kSpirv, Recipe::Optimise::kSize, true, true, Stage::kFragment}),
               "spirv+Os+precise+baked+fragment");
     EXPECT_EQ(RecipeText(*ParseRecipe("glsl+fragment+baked")), "glsl+baked+fragment");
+    EXPECT_EQ(RecipeText(*ParseRecipe("plain+fragment+O")), "plain+O+fragment");
 }
 
 TEST(Recipe, RefusesTheRest) {
-    for (const char* text : {"", "+", "spir", "spirv+", "glsl+O", "glsl+Os", "spirv+glsl", "O",
-                             "spirv+o", "spirv baked", "+baked", "SPIRV", "spirv++O"}) {
+    for (const char* text :
+         {"", "+", "spir", "spirv+", "glsl+O", "glsl+Os", "spirv+glsl", "O", "spirv+o",
+          "spirv baked", "+baked", "SPIRV", "spirv++O", "plain+", "spirv+plain"}) {
         const auto recipe = ParseRecipe(text);
         ASSERT_FALSE(recipe) << text;
-        EXPECT_THAT(recipe.error().message,
-                    StartsWith("unknown recipe '" + std::string(text) + "': it is spirv or glsl"));
+        EXPECT_THAT(recipe.error().message, StartsWith("unknown recipe '" + std::string(text) +
+                                                       "': it is spirv, glsl or plain"));
     }
 }
 

@@ -38,6 +38,17 @@ TEST(FitRecipe, TakesTheFragmentStageWhereThereIsNoOther) {
     EXPECT_EQ(Fitted("glsl+fragment", kNewGl), "glsl+fragment");
 }
 
+TEST(FitRecipe, ChoosesTheFormOfAPlainRecipe) {
+    EXPECT_EQ(Fitted("plain", kVulkan), "spirv");
+    EXPECT_EQ(Fitted("plain", kNewGl), "glsl");
+    EXPECT_EQ(Fitted("plain", kOldGl), "glsl+fragment");
+    EXPECT_EQ(Fitted("plain+fragment", kVulkan), "spirv+fragment");
+    EXPECT_EQ(Fitted("plain+fragment", kNewGl), "glsl+fragment");
+    EXPECT_EQ(Fitted("plain+O", kVulkan), "spirv+O");
+    EXPECT_EQ(Fitted("plain+O", kNewGl), "spirv+O");
+    EXPECT_EQ(Fitted("plain+O", kOldGl), "error: some:device takes no SPIR-V");
+}
+
 TEST(FitRecipe, SaysWhyItCannot) {
     EXPECT_EQ(Fitted("spirv", kOldGl), "error: some:device takes no SPIR-V");
     EXPECT_EQ(Fitted("glsl", kVulkan), "error: some:device takes no GLSL text");
