@@ -258,6 +258,55 @@ Result<Case> ReadCase(const std::filesystem::path& root, const std::string& path
     return std::move(read);
 }
 
+namespace {
+
+// What the rows of an oracle leave a rule to refuse.
+struct Refusable {
+    std::uint64_t known = 0;      // rows at which there is a truth
+    std::uint64_t refusable = 0;  // of these, where a value can be off
+    std::uint64_t hits = 0;
+    std::uint64_t placed = 0;  // hits whose tolerance ends before another hit begins
+    bool can_fail = false;     // some single value, under a rule without shares
+
+    void Add(const Acceptance& rule, const Expression::Value& truth) {
+        if (std::isnan(truth.value)) {
+            return;
+        }
+        ++known;
+        if (!std::isfinite(truth.error)) {
+            return;
+        }
+        can_fail = can_fail || !IsBlind(rule, truth.value, truth.error);
+        ++refusable;
+        if (truth.value >= 0) {
+            ++hits;
+            placed += rule.shares && rule.shares->beyond &&
+                              Tolerance(rule, truth.value) < *rule.shares->beyond
+                          ? 1
+                          : 0;
+        }
+    }
+};
+
+// Why a rule with shares could refuse nothing; empty where it could.
+std::string WhyBlind(const Shares& shares, const Refusable& rows) {
+    const std::string of_rows = " of " + std::to_string(rows.known) + " rows";
+    if (static_cast<double>(rows.refusable) <= shares.wrong * static_cast<double>(rows.known)) {
+        return "a value can be off at " + std::to_string(rows.refusable) + of_rows +
+               ", within the share that may be wrong";
+    }
+    if (shares.missed > 0 && rows.hits == 0) {
+        return "'missed' has no hits to miss, the truth is one at none" + of_rows;
+    }
+    if (shares.beyond && rows.hits > 0 && rows.placed == 0) {
+        return "the tolerance reaches as far as 'beyond' at all of " + std::to_string(rows.hits) +
+               " hits";
+    }
+    return "";
+}
+
+}  // namespace
+
 Status<> CheckAcceptance(const Case& checked, const Table& table) {
     constexpr std::uint64_t kBlock = 1024;
     for (const Expectation& expectation : checked.expectations) {
@@ -266,10 +315,11 @@ Status<> CheckAcceptance(const Case& checked, const Table& table) {
         if (auto bound = truth.Bind(Symbols(table.variables)); !bound) {
             return Error{where + bound.error().message};
         }
-        bool can_fail = false;
-        bool has_truth = false;
+        const Acceptance& accept = expectation.accept;
+        Refusable refusable_rows;
         std::vector<Expression::Value> values;
-        for (std::uint64_t first = 0; first < table.rows && !can_fail; first += kBlock) {
+        for (std::uint64_t first = 0;
+             first < table.rows && (accept.shares || !refusable_rows.can_fail); first += kBlock) {
             const std::uint64_t rows = std::min(kBlock, table.rows - first);
             const auto numbers = Numbers(table, first, rows);
             std::vector<const double*> columns;
@@ -278,18 +328,19 @@ Status<> CheckAcceptance(const Case& checked, const Table& table) {
             }
             truth.Evaluate(columns, rows, values);
             for (const Expression::Value& value : values) {
-                const bool known = !std::isnan(value.value);
-                has_truth = has_truth || known;
-                can_fail = can_fail || (known && std::isfinite(value.error) &&
-                                        !IsBlind(expectation.accept, value.value, value.error));
+                refusable_rows.Add(accept, value);
             }
         }
-        if (!has_truth) {
+        if (refusable_rows.known == 0) {
             return Error{where + "the oracle for '" + expectation.output +
                          "' has no value at any of " + std::to_string(table.rows) + " rows"};
         }
-        if (!can_fail) {
-            return Error{where + "nothing could fail: " + expectation.accept.Text() +
+        if (accept.shares) {
+            if (const std::string why = WhyBlind(*accept.shares, refusable_rows); !why.empty()) {
+                return Error{where + "nothing could fail: " + why};
+            }
+        } else if (!refusable_rows.can_fail) {
+            return Error{where + "nothing could fail: " + accept.Text() +
                          " accepts 0, -truth, 2 truth and truth + 1 at all of " +
                          std::to_string(table.rows) + " rows"};
         }

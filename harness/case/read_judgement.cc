@@ -16,10 +16,65 @@ std::string Trim(const std::string& text) {
     return text.substr(begin, text.find_last_not_of(" \t\r\n") + 1 - begin);
 }
 
+// The keys of `accept` that let a share of the values be off; `rule` has its tolerances.
+Result<std::optional<Shares>> ReadShares(const TomlReader& reader, const toml::table& table,
+                                         const Acceptance& rule, bool exact) {
+    Shares shares;
+    bool given = false;
+    const std::pair<const char*, double*> parts[] = {{"missed", &shares.missed},
+                                                     {"wrong", &shares.wrong}};
+    for (const auto& [key, share] : parts) {
+        const toml::node* node = table.get(key);
+        if (node == nullptr) {
+            continue;
+        }
+        const std::string what = "'" + std::string(key) + "'";
+        ETALON_TRY(number, reader.Number(*node, what));
+        if (!(number >= 0)) {
+            return reader.Fail(*node, what + " must be a share, from 0 to less than 0.5");
+        }
+        if (number >= 0.5) {
+            return reader.Fail(*node, what +
+                                          " must be less than 0.5: a rule that half of the "
+                                          "values may break is none");
+        }
+        *share = number;
+        given = true;
+    }
+    if (const toml::node* node = table.get("beyond")) {
+        ETALON_TRY(beyond, reader.Number(*node, "'beyond'"));
+        if (!(beyond > 0) || std::isinf(beyond)) {
+            return reader.Fail(*node, "'beyond' must be a positive number");
+        }
+        if (rule.absolute && *rule.absolute >= beyond) {
+            return reader.Fail(*node,
+                               "'beyond' must be greater than 'absolute': no right hit could "
+                               "be refused");
+        }
+        shares.beyond = beyond;
+        given = true;
+    }
+    if (!given) {
+        return std::optional<Shares>();
+    }
+    if (exact && (shares.beyond || table.contains("missed"))) {
+        return reader.Fail(table,
+                           "'missed' and 'beyond' need a tolerance (ulp, absolute or "
+                           "relative)");
+    }
+    if (!exact && !shares.beyond) {
+        return reader.Fail(table,
+                           "'missed' and 'wrong' need 'beyond': how far from the truth a "
+                           "hit is another one");
+    }
+    return std::optional(shares);
+}
+
 }  // namespace
 
 Result<Acceptance> ReadAcceptance(const TomlReader& reader, const toml::table& table) {
-    ETALON_TRY_STEP(reader.OnlyKeys(table, {"exact", "ulp", "absolute", "relative", "flush"}));
+    ETALON_TRY_STEP(reader.OnlyKeys(
+        table, {"exact", "ulp", "absolute", "relative", "flush", "missed", "wrong", "beyond"}));
     Acceptance rule;
     const std::pair<const char*, std::optional<double>*> tolerances[] = {
         {"ulp", &rule.ulp}, {"absolute", &rule.absolute}, {"relative", &rule.relative}};
@@ -62,6 +117,8 @@ Result<Acceptance> ReadAcceptance(const TomlReader& reader, const toml::table& t
                                         : "the acceptance grants nothing: give ulp, absolute, "
                                           "relative, or exact = true");
     }
+    ETALON_TRY(shares, ReadShares(reader, table, rule, exact));
+    rule.shares = shares;
     return rule;
 }
 
@@ -136,6 +193,9 @@ Result<Law> ReadLaw(const TomlReader& reader, const toml::table& table) {
     if (const toml::node* node = table.get("within")) {
         ETALON_TRY(within, reader.Table(*node, "'within'"));
         ETALON_TRY(rule, ReadAcceptance(reader, *within));
+        if (rule.shares) {
+            return reader.Fail(*node, "'within' grants no shares: a law holds at every row");
+        }
         law.within = rule;
     }
     return law;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/check.h"
+
 namespace etalon {
 namespace {
 
@@ -35,8 +37,12 @@ std::vector<Truth::Alternative>::const_iterator AlternativeFrom(const Truth& tru
 
 Judgement JudgeAgainst(const Acceptance& rule, Scalar scalar, std::uint32_t word, double truth,
                        double error) {
-    return scalar == Scalar::kFloat ? Judge(rule, std::bit_cast<float>(word), truth, error)
-                                    : JudgeExact(WordValue(scalar, word), truth);
+    if (scalar != Scalar::kFloat) {
+        const double value = WordValue(scalar, word);
+        return rule.shares ? JudgeSharedExact(value, truth) : JudgeExact(value, truth);
+    }
+    const auto value = std::bit_cast<float>(word);
+    return rule.shares ? JudgeShared(rule, value, truth, error) : Judge(rule, value, truth, error);
 }
 
 }  // namespace
@@ -54,6 +60,7 @@ Judgement JudgeValue(const Acceptance& rule, Scalar scalar, std::uint32_t word, 
 
 void JudgeColumn(const Acceptance& rule, Scalar scalar, std::span<const std::uint32_t> words,
                  const Truth& truth, std::uint64_t first_row, Summary& summary) {
+    ETALON_CHECK(!rule.shares);
     if (scalar != Scalar::kFloat) {
         for (std::size_t i = 0; i < words.size(); ++i) {
             summary.Add(first_row + i, JudgeValue(rule, scalar, words[i], truth, first_row + i));
@@ -82,6 +89,13 @@ void JudgeColumn(const Acceptance& rule, Scalar scalar, std::span<const std::uin
             ++at;
             ++other;
         }
+    }
+}
+
+void TallyColumn(const Acceptance& rule, Scalar scalar, std::span<const std::uint32_t> words,
+                 const Truth& truth, std::uint64_t first_row, Tally& tally) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        tally.Add(first_row + i, JudgeValue(rule, scalar, words[i], truth, first_row + i));
     }
 }
 

@@ -8,6 +8,7 @@
 #include "case/case.h"
 #include "numeric/acceptance.h"
 #include "numeric/number_text.h"
+#include "numeric/tally.h"
 
 namespace etalon {
 
@@ -26,11 +27,15 @@ struct Truth {
 };
 
 // Judges words[i], of row first_row + i, against the truth at that row. Floats by the rule; int,
-// uint and bool must be equal. The summary's indices are rows.
+// uint and bool must be equal. The summary's indices are rows. For rules without shares.
 void JudgeColumn(const Acceptance& rule, Scalar scalar, std::span<const std::uint32_t> words,
                  const Truth& truth, std::uint64_t first_row, Summary& summary);
 
-// The judgement of a single value, as JudgeColumn makes it.
+// The same under a rule with shares: adds to the tally, which is settled after the last row.
+void TallyColumn(const Acceptance& rule, Scalar scalar, std::span<const std::uint32_t> words,
+                 const Truth& truth, std::uint64_t first_row, Tally& tally);
+
+// The judgement of a single value, as JudgeColumn and TallyColumn make it.
 Judgement JudgeValue(const Acceptance& rule, Scalar scalar, std::uint32_t word, const Truth& truth,
                      std::uint64_t row);
 

@@ -41,14 +41,14 @@ float RoundToFloat(double x) {
 }
 
 Judgement Refused() {
-    return {false, kInfinity, kInfinity, kInfinity};
+    return {false, kInfinity, kInfinity, kInfinity, Outcome::kRight};
 }
 
 Judgement JudgeOne(const Grant& grant, float value, double truth, double truth_error) {
     const double result = value;
     if (!std::isfinite(truth)) {
         const bool same = std::isnan(truth) ? std::isnan(result) : result == truth;
-        return same || truth_error == kInfinity ? Judgement{true, 0, 0, 0} : Refused();
+        return same || truth_error == kInfinity ? Judgement{.accepted = true} : Refused();
     }
     if (std::isnan(result)) {
         return Refused();
@@ -205,6 +205,15 @@ std::string Acceptance::Text() const {
     add("relative ", relative);
     if (text.empty()) {
         text = "exact";
+    }
+    if (shares) {
+        if (shares->beyond) {
+            text += ", missed " + Shortest(shares->missed);
+        }
+        text += ", wrong " + Shortest(shares->wrong);
+        if (shares->beyond) {
+            text += ", beyond " + Shortest(*shares->beyond);
+        }
     }
     return flush ? text : text + ", no flush";
 }

@@ -11,6 +11,23 @@
 
 namespace etalon {
 
+// How many of a column's values may be off altogether. A column is then judged as a whole: it fails
+// where a share is exceeded, or where any other value is beyond the tolerance.
+//
+// With `beyond` the column is what a search returns: the way to a hit along a ray; a negative
+// number says that nothing is met.
+// - missed: the truth is a hit and the result is none. Their share is of the truths that are hits.
+// - wrong: the truth is none and the result a hit; or the result is further than `beyond` from the
+//   truth, that is another hit than the first; or NaN. Their share is of all rows.
+// - right: both are none; or both are hits, and the tolerance holds for their distance.
+// Without `beyond` the rule is exact, and wrong is every value that is not the truth.
+// A truth of NaN is undecided: its row is left out and counted.
+struct Shares {
+    double missed = 0;             // 0 .. < 0.5
+    double wrong = 0;              // 0 .. < 0.5
+    std::optional<double> beyond;  // in the result's unit
+};
+
 // Every tolerance given is enough by itself: a result passes where any of them holds. With none of
 // them only the exact value passes (for float: the truth rounded to nearest; -0 equals +0).
 struct Acceptance {
@@ -19,9 +36,13 @@ struct Acceptance {
     std::optional<double> relative;  // of |truth|
     bool flush = true;               // a device may take subnormal inputs and results as zero (all
                                      // specifications allow it)
+    std::optional<Shares> shares;  // judged by tally.h; Judge and JudgeAll know single values only
 
-    std::string Text() const;  // "ulp 16 or absolute 1e-09"
+    std::string Text() const;  // "ulp 16 or absolute 1e-09, missed 0.01, wrong 0, beyond 2"
 };
+
+// What a value is under a rule with shares.
+enum class Outcome : std::uint8_t { kNone, kRight, kMissed, kPhantom, kOther, kUndecided };
 
 // What a judged result is worth.
 struct Judgement {
@@ -29,6 +50,7 @@ struct Judgement {
     double error = 0;      // |value - truth|; infinity for NaN and wrong infinities
     double ulp_error = 0;  // the same in ulp(truth)
     double used = 0;       // share of the tolerance used: error / tolerance; 0 exact, > 1 refused
+    Outcome outcome = Outcome::kRight;
 };
 
 // The widest tolerance that the rule grants at this truth, in absolute terms; 0 for an exact rule,
@@ -50,7 +72,7 @@ double Tolerance(const Acceptance& rule, double truth);
 Judgement Judge(const Acceptance& rule, float value, double truth, double truth_error);
 
 // True where nothing could fail under this rule at this truth: each of 0, -truth, 2 truth and
-// truth + 1 that differs from the truth would be accepted.
+// truth + 1 that differs from the truth would be accepted. Shares are not looked at.
 bool IsBlind(const Acceptance& rule, double truth, double truth_error = 0);
 
 // What many judged results are worth together.

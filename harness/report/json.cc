@@ -50,6 +50,21 @@ ordered_json ObservationJson(const Observation& observation) {
             {"used", Number(observation.used)}};
 }
 
+ordered_json ShareJson(const ShareCount& count) {
+    ordered_json json = {{"output", count.output},
+                         {"rows", count.rows},
+                         {"undecided", count.undecided},
+                         {"wrong", count.wrong},
+                         {"wrong_allowed", count.wrong_allowed}};
+    if (count.search) {
+        json["hits"] = count.hits;
+        json["missed"] = count.missed;
+        json["missed_allowed"] = count.missed_allowed;
+        json["worst_right"] = Number(count.worst_right);
+    }
+    return json;
+}
+
 ordered_json RecordJson(const Record& record) {
     ordered_json json = {{"case", record.case_path},  {"device", record.device},
                          {"recipe", record.recipe},   {"family", record.family},
@@ -59,6 +74,12 @@ ordered_json RecordJson(const Record& record) {
                          {"refused", record.refused}, {"failed", record.failed},
                          {"repeat", record.repeat},   {"known_cause", record.known_cause},
                          {"flake", record.flake},     {"seconds", Number(record.seconds)}};
+    if (!record.shares.empty()) {
+        json["shares"] = ordered_json::array();
+        for (const ShareCount& count : record.shares) {
+            json["shares"].push_back(ShareJson(count));
+        }
+    }
     json["worst"] = record.worst ? ObservationJson(*record.worst) : ordered_json(nullptr);
     return json;
 }

@@ -32,6 +32,21 @@ struct Observation {
     double used = 0;  // share of the tolerance that the error used; its complement is the margin
 };
 
+// What was found of an output of which a share may be off. Shares are 0..1.
+struct ShareCount {
+    std::string output;
+    bool search =
+        false;  // the way to hits, and not exact values: `hits` to `worst_right` are of use
+    std::uint64_t rows = 0;  // without the undecided
+    std::uint64_t wrong = 0;
+    double wrong_allowed = 0;
+    std::uint64_t hits = 0;
+    std::uint64_t missed = 0;
+    double missed_allowed = 0;
+    double worst_right = 0;  // absolute
+    std::uint64_t undecided = 0;
+};
+
 struct Record {
     std::string case_path;
     std::string device;
@@ -45,6 +60,7 @@ struct Record {
     std::uint64_t judged = 0;  // values
     std::uint64_t refused = 0;
     std::vector<std::string> failed;   // outputs and laws with refused values
+    std::vector<ShareCount> shares;    // one for each output that is judged by shares
     std::optional<Observation> worst;  // by share of the tolerance; absent where nothing was judged
     std::string repeat;                // the command that repeats exactly the worst input
     std::string known_cause;           // of an expected failure that happened

@@ -43,11 +43,34 @@ std::string WorstText(const Observation& observation) {
                   InputText(observation, false));
 }
 
+std::string ShareText(const ShareCount& count) {
+    const auto part = [](std::uint64_t some, std::uint64_t all, double allowed) {
+        const double share = all == 0 ? 0 : static_cast<double>(some) / static_cast<double>(all);
+        return format("{} of {} ({} %, {} % allowed)", some, all, ShortNumber(100 * share),
+                      ShortNumber(100 * allowed));
+    };
+    std::string text = count.output + ": ";
+    if (count.search) {
+        text += "missed " + part(count.missed, count.hits, count.missed_allowed) + ", ";
+    }
+    text += "wrong " + part(count.wrong, count.rows, count.wrong_allowed);
+    if (count.search) {
+        text += ", worst right hit off by " + ShortNumber(count.worst_right);
+    }
+    if (count.undecided > 0) {
+        text += format(", undecided {}", count.undecided);
+    }
+    return text;
+}
+
 std::string FailureText(const Record& record) {
     std::string text = format("{} on {} ({}): {}", record.case_path, record.device, record.recipe,
                               VerdictName(record.verdict));
     if (!record.reason.empty()) {
         text += "\n  reason    " + record.reason;
+    }
+    for (const ShareCount& count : record.shares) {
+        text += "\n  shares    " + ShareText(count);
     }
     if (record.worst && record.refused > 0) {
         const Observation& worst = *record.worst;

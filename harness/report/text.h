@@ -14,6 +14,10 @@ std::string FailureText(const Record& record);
 // "result.x: 3.2 ulp (20 % of the tolerance) at n1=1, cos_i=0.5".
 std::string WorstText(const Observation& observation);
 
+// "result: missed 3 of 900 (0.333 %, 1 % allowed), wrong 4 of 1000 (0.4 %, 1 % allowed), worst
+// right hit off by 0.013, undecided 2".
+std::string ShareText(const ShareCount& count);
+
 // The table at the end of a run: verdicts by device, the worst margins, skips and known failures
 // with their causes.
 std::string SummaryText(const RunRecord& run);

@@ -69,6 +69,7 @@ class Collector {
         const std::uint64_t row =
             summary.worst_used_at == Summary::kNone ? 0 : summary.worst_used_at;
         Observation observation = observe(row);
+        observation.used = summary.worst_used;
         observation.inputs = InputsAt(prepared_.table, row);
         record_.worst = std::move(observation);
     }
@@ -106,7 +107,8 @@ Observation ObserveOutput(const JudgedColumn& column, std::uint32_t word, std::u
     const Judgement judgement = JudgeValue(column.accept, column.scalar, word, column.truth, row);
     Observation observation;
     observation.output = column.name;
-    observation.rule = column.scalar == Scalar::kFloat ? column.accept.Text() : "equal";
+    const bool tells = column.scalar == Scalar::kFloat || column.accept.shares;
+    observation.rule = tells ? column.accept.Text() : "equal";
     observation.actual = ValueOf(column.scalar, word);
     const double truth = column.truth.values[row];
     observation.expected = {Shortest(truth), HexFloat(truth)};
@@ -114,6 +116,22 @@ Observation ObserveOutput(const JudgedColumn& column, std::uint32_t word, std::u
     observation.ulp_error = judgement.ulp_error;
     observation.used = judgement.used;
     return observation;
+}
+
+ShareCount CountOf(const JudgedColumn& column, const Tally& tally) {
+    const Shares& shares = *column.accept.shares;
+    ShareCount count;
+    count.output = column.name;
+    count.search = shares.beyond.has_value();
+    count.rows = tally.decided;
+    count.wrong = tally.wrong;
+    count.wrong_allowed = shares.wrong;
+    count.hits = tally.hits;
+    count.missed = tally.missed;
+    count.missed_allowed = shares.missed;
+    count.worst_right = tally.worst_right_error;
+    count.undecided = tally.undecided;
+    return count;
 }
 
 std::string LawLabel(const Law& law) {
@@ -164,7 +182,14 @@ bool JudgeOutputs(const PreparedCase& prepared, Runner& runner, const Recipe& re
     for (const JudgedColumn& column : prepared.judged) {
         const std::span<const std::uint32_t> words = results->Column(column.column);
         Summary summary;
-        JudgeColumn(column.accept, column.scalar, words, column.truth, 0, summary);
+        if (column.accept.shares) {
+            Tally tally;
+            TallyColumn(column.accept, column.scalar, words, column.truth, 0, tally);
+            summary = tally.Settle(*column.accept.shares);
+            record.shares.push_back(CountOf(column, tally));
+        } else {
+            JudgeColumn(column.accept, column.scalar, words, column.truth, 0, summary);
+        }
         collector.Add(column.name, summary,
                       [&](std::uint64_t row) { return ObserveOutput(column, words[row], row); });
     }
@@ -277,8 +302,11 @@ Record RunCase(const PreparedCase& prepared, Runner& runner, const Recipe& recip
     for (const PreparedLaw& law : prepared.laws) {
         complete = complete && JudgeLawRows(prepared, law, runner, recipe, collector, record);
     }
-    if (complete) {
-        ETALON_CHECK(record.judged > 0);
+    if (complete && record.judged == 0) {
+        ETALON_CHECK(!record.shares.empty());
+        record.verdict = Verdict::kSkip;
+        record.reason = "the oracle is undecided at every row";
+    } else if (complete) {
         record.verdict = record.refused == 0 ? Verdict::kPass : Verdict::kFail;
     }
     record.repeat = RepeatCommand(record, context);

@@ -78,6 +78,9 @@ class CaseTest : public ::testing::Test {
             RecordProperty("margin", ShortNumber(1 - record.worst->used));
             RecordProperty("worst", WorstText(*record.worst));
         }
+        for (const ShareCount& count : record.shares) {
+            RecordProperty("shares." + count.output, ShareText(count));
+        }
         if (!record.known_cause.empty()) {
             RecordProperty("known_cause", record.known_cause);
         }

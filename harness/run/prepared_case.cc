@@ -155,6 +155,11 @@ Result<std::vector<JudgedColumn>> JudgedColumns(const Case& source, const Table&
             column.column = columns[k];
             column.scalar = outputs[columns[k]].scalar;
             column.accept = expectation.accept;
+            if (column.accept.shares && column.accept.shares->beyond &&
+                column.scalar != Scalar::kFloat) {
+                return Error{At(source, expectation.line) + "'" + column.name +
+                             "' is no float, and no way to a hit: 'wrong' goes with exact = true"};
+            }
             const auto part = [&](const std::vector<double>& all) {
                 const auto from = all.begin() + static_cast<std::ptrdiff_t>(k * table.rows);
                 return std::vector<double>(from, from + static_cast<std::ptrdiff_t>(table.rows));
@@ -271,6 +276,22 @@ Result<PreparedCase> PrepareAt(const Case& source, const std::string& at) {
     return PrepareWith(source, std::move(table));
 }
 
+namespace {
+
+// Few rows cannot show a small share: one value may be off where any may.
+void GrantOne(const std::vector<double>& truths, Shares& shares) {
+    const auto grant = [](double& share, std::ptrdiff_t count) {
+        if (share > 0 && count > 0) {
+            share = std::max(share, 1 / static_cast<double>(count));
+        }
+    };
+    grant(shares.missed, std::ranges::count_if(truths, [](double truth) { return truth >= 0; }));
+    grant(shares.wrong,
+          std::ranges::count_if(truths, [](double truth) { return !std::isnan(truth); }));
+}
+
+}  // namespace
+
 PreparedCase Thin(const PreparedCase& prepared, std::uint64_t count) {
     const std::uint64_t rows = prepared.table.rows;
     if (rows <= count) {
@@ -294,6 +315,9 @@ PreparedCase Thin(const PreparedCase& prepared, std::uint64_t count) {
             }
         }
         column.truth = std::move(some);
+        if (column.accept.shares) {
+            GrantOne(column.truth.values, *column.accept.shares);
+        }
     }
     return thin;
 }

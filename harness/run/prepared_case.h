@@ -47,7 +47,8 @@ Result<PreparedCase> Prepare(const Case& source);
 // given.
 Result<PreparedCase> PrepareAt(const Case& source, const std::string& at);
 
-// The same case at `count` of its rows, evenly chosen, first and last among them.
+// The same case at `count` of its rows, evenly chosen, first and last among them. A share that may
+// be off is at least one value.
 PreparedCase Thin(const PreparedCase& prepared, std::uint64_t count);
 
 }  // namespace etalon

@@ -277,6 +277,28 @@ TEST_F(CaseTest, RefusesWrongExpectations) {
     EXPECT_THAT(accept(""), HasSubstr("the acceptance grants nothing"));
     EXPECT_THAT(accept("flush = false"), HasSubstr("the acceptance grants nothing"));
     EXPECT_EQ(accept("upl = 1"), "cases/x.toml:4: unknown key 'upl'; did you mean 'ulp'?");
+    EXPECT_EQ(accept("absolute = 0.1, missed = 0.001, wrong = 0.01, beyond = 2"), "");
+    EXPECT_EQ(accept("ulp = 4, beyond = 2"), "");
+    EXPECT_EQ(accept("exact = true, wrong = 0.01"), "");
+    EXPECT_EQ(accept("absolute = 0.1, missed = 0.001"),
+              "cases/x.toml:4: 'missed' and 'wrong' need 'beyond': how far from the truth a hit is "
+              "another one");
+    EXPECT_EQ(accept("exact = true, wrong = 0.1, missed = 0"),
+              "cases/x.toml:4: 'missed' and 'beyond' need a tolerance (ulp, absolute or relative)");
+    EXPECT_EQ(accept("exact = true, beyond = 1"),
+              "cases/x.toml:4: 'missed' and 'beyond' need a tolerance (ulp, absolute or relative)");
+    EXPECT_EQ(accept("absolute = 0.1, wrong = 0.5, beyond = 1"),
+              "cases/x.toml:4: 'wrong' must be less than 0.5: a rule that half of the values may "
+              "break is none");
+    EXPECT_EQ(accept("absolute = 0.1, missed = -0.1, beyond = 1"),
+              "cases/x.toml:4: 'missed' must be a share, from 0 to less than 0.5");
+    EXPECT_EQ(accept("absolute = 0.1, missed = nan, beyond = 1"),
+              "cases/x.toml:4: 'missed' must be a share, from 0 to less than 0.5");
+    EXPECT_EQ(accept("absolute = 0.1, beyond = 0"),
+              "cases/x.toml:4: 'beyond' must be a positive number");
+    EXPECT_EQ(accept("absolute = 2, beyond = 2"),
+              "cases/x.toml:4: 'beyond' must be greater than 'absolute': no right hit could be "
+              "refused");
 }
 
 TEST_F(CaseTest, RefusesWrongLawsAndFailures) {
@@ -301,6 +323,8 @@ TEST_F(CaseTest, RefusesWrongLawsAndFailures) {
     EXPECT_EQ(law("holds = \"f(x) == 1\""), "cases/x.toml:9: 'name' is missing");
     EXPECT_EQ(law("name = \"l\"\nholds = \"f(x) == 1\"\nwithin = { ulp = 8388608 }"),
               "cases/x.toml:12: nothing could fail: 2^23 ulp reach to zero");
+    EXPECT_EQ(law("name = \"l\"\nholds = \"f(x) == 1\"\nwithin = { exact = true, wrong = 0.1 }"),
+              "cases/x.toml:12: 'within' grants no shares: a law holds at every row");
     EXPECT_EQ(law("name = \"l\"\nholds = \"f(x) == 1\"\n[[law]]\nname = \"l\"\nholds = \"1 < 2\""),
               "cases/x.toml:12: two laws are called 'l'");
 
@@ -355,6 +379,17 @@ TEST_F(CaseTest, RefusesABlindAcceptance) {
     EXPECT_EQ(check("x", "exact = true"), "");
     EXPECT_THAT(check("1 / (1/x - 1/x * 3 * (1/3))", "ulp = 1"), HasSubstr("nothing could fail"))
         << "the oracle knows nothing";
+    EXPECT_EQ(check("x", "relative = 0.5, wrong = 0.4, beyond = 0.6"), "");
+    EXPECT_EQ(check("x", "relative = 0.5, wrong = 0.4, beyond = 0.25"),
+              "cases/x.toml:4: nothing could fail: the tolerance reaches as far as 'beyond' at all "
+              "of 3 hits");
+    EXPECT_EQ(check("-x", "absolute = 0.1, beyond = 1"), "");
+    EXPECT_EQ(check("-x", "absolute = 0.1, missed = 0.1, beyond = 1"),
+              "cases/x.toml:4: nothing could fail: 'missed' has no hits to miss, the truth is one "
+              "at none of 3 rows");
+    EXPECT_EQ(check("1 / ((x - 1) * (x - 2) + 3 * (1/3) - 1)", "exact = true, wrong = 0.4"),
+              "cases/x.toml:4: nothing could fail: a value can be off at 1 of 3 rows, within the "
+              "share that may be wrong");
     EXPECT_EQ(check("sqrt(-x)", "ulp = 1"),
               "cases/x.toml:4: the oracle for 'result' has no value at any of 3 rows");
 }

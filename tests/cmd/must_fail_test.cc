@@ -139,6 +139,23 @@ const std::map<std::string, std::string> kTexts = {
      "            x=0x0p+0\n"
      "  output    result\n"
      "  actual    true = true\n"},
+    {"missed",
+     "  shares    result: missed 2 of 10 (20 %, 10 % allowed), wrong 0 of 10 (0 %, 0 % allowed), "
+     "worst right hit off by 0\n"
+     "  refused   2 of 10 values (10 rows, seed 1); the worst:\n"
+     "  input     x=4\n"
+     "            x=0x1p+2\n"
+     "  output    result\n"
+     "  actual    -1 = -0x1p+0\n"
+     "  expected  4 = 0x1p+2\n"
+     "  error     infinite ulp, infinite absolute, infinite times the tolerance\n"
+     "  rule      absolute 0.25, missed 0.1, wrong 0, beyond 2\n"},
+    {"position",
+     "  shares    result: missed 0 of 10 (0 %, 40 % allowed), wrong 0 of 10 (0 %, 40 % allowed), "
+     "worst right hit off by 0.5\n"
+     "  refused   1 of 10 values (10 rows, seed 1); the worst:\n"
+     "  input     x=4\n"},
+    {"integer_share", "  shares    result: wrong 2 of 4 (50 %, 25 % allowed)\n"},
     {"law_less_equal_within",
      "  output    law 'less_equal_within', left side\n"
      "  actual    1.2500002 = 0x1.400004p+0\n"

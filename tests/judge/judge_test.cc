@@ -154,6 +154,54 @@ TEST(JudgeColumn, FindsAnIntegerTruthThatIsNoInteger) {
     EXPECT_EQ(summary.refused, 1u);
 }
 
+Acceptance Search(double missed, double wrong) {
+    Acceptance rule;
+    rule.absolute = 0.25;
+    rule.shares = Shares{missed, wrong, 2};
+    return rule;
+}
+
+TEST(TallyColumn, CountsRowsFromTheFirst) {
+    const Truth truth = TruthOf({9, 9, 1, -1, 5, kNan});
+    Tally tally;
+    TallyColumn(Search(0, 0), Scalar::kFloat, Words({1, 3}), truth, 2, tally);
+    TallyColumn(Search(0, 0), Scalar::kFloat, Words({-1, 5}), truth, 4, tally);
+    EXPECT_EQ(tally.decided, 3u);
+    EXPECT_EQ(tally.undecided, 1u);
+    EXPECT_EQ(tally.first_wrong, 3u);
+    EXPECT_EQ(tally.first_missed, 4u);
+    EXPECT_EQ(tally.Settle({}).refused, 2u);
+}
+
+TEST(TallyColumn, TakesTheAlternativeOfItsRow) {
+    Truth truth = TruthOf({-1, 3, 3, -1});
+    truth.alternatives = {{0, 7, 0}, {1, -1, 0}, {2, kNan, 0}};
+    const auto tally = [&truth](const std::vector<float>& values) {
+        Tally result;
+        TallyColumn(Search(0, 0), Scalar::kFloat, Words(values), truth, 0, result);
+        return result;
+    };
+    EXPECT_EQ(tally({7, -1, 3, -1}).Settle({}).refused, 0u);
+    EXPECT_EQ(tally({-1, 3, 3, -1}).Settle({}).refused, 0u);
+    EXPECT_EQ(tally({4, 6, 3, 7}).Settle({}).refused, 3u);
+    EXPECT_EQ(tally({-1, 3, 100, -1}).undecided, 1u);
+}
+
+TEST(TallyColumn, CountsUnequalIntegersAndBools) {
+    Acceptance rule;
+    rule.shares = Shares{0, 0.25, {}};
+    Tally integers;
+    TallyColumn(rule, Scalar::kInt, std::vector<std::uint32_t>{0xffffffffu, 3, 2, 1},
+                TruthOf({-1, 4, 2, 1}), 0, integers);
+    EXPECT_EQ(integers.wrong, 1u);
+    EXPECT_EQ(integers.Settle(*rule.shares).refused, 0u);
+    EXPECT_EQ(integers.Settle({0, 0.2, {}}).refused, 1u);
+    Tally flags;
+    TallyColumn(rule, Scalar::kBool, std::vector<std::uint32_t>{0, 1, 1, 0}, TruthOf({0, 1, 0, 1}),
+                0, flags);
+    EXPECT_EQ(flags.Settle(*rule.shares).refused, 2u);
+}
+
 TEST(JudgeValue, SaysWhatTheColumnSays) {
     const Truth truth = WithAlternatives();
     const auto word = [](float value) { return std::bit_cast<std::uint32_t>(value); };

@@ -35,6 +35,12 @@ TEST(Acceptance, ReadsAloud) {
     EXPECT_EQ(Rule({}, {}, 0.5).Text(), "relative 0.5");
     EXPECT_EQ(Rule({}).Text(), "exact");
     EXPECT_EQ(Rule({}, {}, {}, false).Text(), "exact, no flush");
+    Acceptance search = Rule({}, 0.02);
+    search.shares = Shares{0.001, 0.01, 2};
+    EXPECT_EQ(search.Text(), "absolute 0.02, missed 0.001, wrong 0.01, beyond 2");
+    Acceptance equal = Rule({});
+    equal.shares = Shares{0, 0.01, {}};
+    EXPECT_EQ(equal.Text(), "exact, wrong 0.01");
 }
 
 TEST(Acceptance, GrantsTheWidestTolerance) {

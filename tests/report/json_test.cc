@@ -49,6 +49,28 @@ TEST(RunJson, ReadsBack) {
     EXPECT_EQ(read["records"][2]["worst"], nullptr);
 }
 
+TEST(RunJson, CountsWhatIsOff) {
+    RunRecord run = SomeRun();
+    ShareCount search;
+    search.output = "result";
+    search.search = true;
+    search.rows = 1000;
+    search.wrong = 4;
+    search.wrong_allowed = 0.01;
+    search.hits = 900;
+    search.missed = 3;
+    search.missed_allowed = 0.5;
+    search.worst_right = 0.25;
+    search.undecided = 2;
+    run.records[0].shares = {search, {.output = "layer", .rows = 7}};
+    const json read = json::parse(RunJson(run));
+    EXPECT_EQ(read["records"][0]["shares"], json::parse(R"([
+        {"output": "result", "rows": 1000, "undecided": 2, "wrong": 4, "wrong_allowed": 0.01,
+         "hits": 900, "missed": 3, "missed_allowed": 0.5, "worst_right": 0.25},
+        {"output": "layer", "rows": 7, "undecided": 0, "wrong": 0, "wrong_allowed": 0.0}])"));
+    EXPECT_FALSE(read["records"][1].contains("shares"));
+}
+
 TEST(RunJson, WritesNumbersThatJsonDoesNotKnowAsText) {
     RunRecord run = SomeRun();
     run.records[1].worst->error = std::nan("");

@@ -82,6 +82,41 @@ TEST(FailureText, ShowsNoRefusedValueWhereNoneWasRefused) {
               "  repeat    etalon run optics/fresnel --at 'n1=0x1.8p+0,steps=3'");
 }
 
+ShareCount Searched() {
+    ShareCount count;
+    count.output = "result";
+    count.search = true;
+    count.rows = 1000;
+    count.wrong = 4;
+    count.wrong_allowed = 0.01;
+    count.hits = 900;
+    count.missed = 3;
+    count.missed_allowed = 0.01;
+    count.worst_right = 0.013;
+    return count;
+}
+
+TEST(ShareText, CountsWhatIsOff) {
+    ShareCount count = Searched();
+    EXPECT_EQ(ShareText(count),
+              "result: missed 3 of 900 (0.333 %, 1 % allowed), wrong 4 of 1000 (0.4 %, 1 % "
+              "allowed), worst right hit off by 0.013");
+    count.search = false;
+    count.undecided = 2;
+    EXPECT_EQ(ShareText(count), "result: wrong 4 of 1000 (0.4 %, 1 % allowed), undecided 2");
+    EXPECT_EQ(ShareText({.output = "layer"}), "layer: wrong 0 of 0 (0 %, 0 % allowed)");
+}
+
+TEST(FailureText, CountsWhatIsOffBeforeTheWorst) {
+    Record record = Refused();
+    record.shares = {Searched()};
+    EXPECT_NE(FailureText(record).find(": fail\n  shares    result: missed 3 of 900 (0.333 %, 1 % "
+                                       "allowed), wrong 4 of 1000 (0.4 %, 1 % allowed), worst "
+                                       "right hit off by 0.013\n  refused   2 of 300"),
+              std::string::npos)
+        << FailureText(record);
+}
+
 TEST(SummaryText, CountsByDevice) {
     RunRecord run;
     run.devices = {Llvmpipe(), Silent()};

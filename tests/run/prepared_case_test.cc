@@ -224,5 +224,36 @@ x = { values = [1, 2, "0x1p-130", 4, 5, 6, "0x1p-140"] }
     EXPECT_THAT(Inputs(Thin(prepared, 2), 0), ElementsAre(1, 0x1p-140f));
 }
 
+TEST_F(PreparedCaseTest, ThinsASmallShareToOneValue) {
+    const std::string rule = "absolute = 0.1, missed = 0.01, wrong = 0.4, beyond = 1";
+    PreparedCase prepared = Ready(R"toml(source = "f.glsl"
+call = "twice(x)"
+oracle = "(x >= 3) * (2 * x + 1) - 1"
+accept = { )toml" + rule + R"toml( }
+[domain]
+x = { values = [1, 2, 3, 4, 5, 6, 7] }
+)toml");
+    const Shares thin = *Thin(prepared, 4).judged[0].accept.shares;
+    EXPECT_EQ(thin.missed, 1.0 / 3) << "of the hits at 1, 3, 5 and 7";
+    EXPECT_EQ(thin.wrong, 0.4);
+    prepared.judged[0].accept.shares = Shares{0, 0.01, 1};
+    EXPECT_EQ(Thin(prepared, 4).judged[0].accept.shares->wrong, 0.25);
+    EXPECT_EQ(Thin(prepared, 4).judged[0].accept.shares->missed, 0);
+}
+
+TEST_F(PreparedCaseTest, WantsAFloatForTheWayToAHit) {
+    const auto layer = [](const std::string& rule) {
+        return R"toml(source = "f.glsl"
+call = "int(twice(x))"
+oracle = "2 * x"
+accept = { )toml" +
+               rule + " }\n[domain]\nx = { values = [1, 2, 3] }\n";
+    };
+    EXPECT_EQ(ErrorOf(layer("exact = true, wrong = 0.01")), "");
+    EXPECT_THAT(ErrorOf(layer("ulp = 1, wrong = 0.01, beyond = 1")),
+                EndsWith("c.toml:4: 'result' is no float, and no way to a hit: 'wrong' goes with "
+                         "exact = true"));
+}
+
 }  // namespace
 }  // namespace etalon

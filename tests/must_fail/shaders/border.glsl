@@ -33,3 +33,9 @@ void split(float x, int steps, out float whole, out float rest)
     whole = floor(x);
     rest = above(x - floor(x), steps);
 }
+
+// A search that finds the hit at x, but for the row where x is `at`: there it returns `instead`.
+float found(float x, float at, float instead)
+{
+    return x == at ? instead : x;
+}
