@@ -5,6 +5,7 @@
 
 #include "case/like.h"
 #include "case/read_domain.h"
+#include "case/read_images.h"
 #include "case/read_judgement.h"
 #include "case/toml_reader.h"
 
@@ -16,6 +17,7 @@
 //   oracle            an expression, or one by output: { result = "...", t = "..." }
 //   accept            { exact = true } or any of ulp, absolute, relative, and flush = false; or by
 //                     output
+//   [images]          by sampler's name: file or expr, size, filter, wrap, levels, cube
 //   combine, where    for all domains
 //   [domain]          inputs by name, combine, where; or several [[domain]]
 //   [[law]]           name, holds, within
@@ -87,6 +89,11 @@ class CaseReader {
             if (auto columns = ColumnsOf(name, type); !columns) {
                 return reader_.Fail(*table_.get("out"), "'out': " + columns.error().message);
             }
+        }
+        if (const toml::node* node = table_.get("images")) {
+            ETALON_TRY(images, reader_.Table(*node, "'images'"));
+            ETALON_TRY(read, ReadImages(reader_, *images));
+            case_.images = std::move(read);
         }
         if (const toml::node* node = table_.get("seed")) {
             ETALON_TRY(seed, reader_.Count(*node, "'seed'"));

@@ -11,6 +11,7 @@
 #include "case/domain.h"
 #include "case/expression.h"
 #include "case/figure.h"
+#include "case/image_source.h"
 #include "case/place.h"
 #include "numeric/acceptance.h"
 
@@ -64,7 +65,8 @@ struct Case {
     std::vector<std::string> covers;  // ids of what the case shows: "F4", "D14"
     std::map<std::string, std::string> define;
     std::vector<std::string> include;
-    std::vector<std::string> with;           // sources, or NAME=IMAGE
+    std::vector<std::string> with;  // sources, or NAME=IMAGE
+    std::vector<ImageSource> images;
     std::map<std::string, std::string> out;  // name -> GLSL type
     std::vector<std::string> recipes;        // empty: the default set
     std::vector<Expectation> expectations;

@@ -9,13 +9,6 @@
 namespace etalon {
 namespace {
 
-bool IsIdentifier(const std::string& name) {
-    return !name.empty() && std::isdigit(static_cast<unsigned char>(name[0])) == 0 &&
-           std::all_of(name.begin(), name.end(), [](unsigned char c) {
-               return c == '_' || (c < 128 && std::isalnum(c) != 0);
-           });
-}
-
 class InputReader {
   public:
     InputReader(const TomlReader& reader, const std::string& name, const toml::table& table)
@@ -199,6 +192,13 @@ class InputReader {
 };
 
 }  // namespace
+
+bool IsIdentifier(const std::string& name) {
+    return !name.empty() && std::isdigit(static_cast<unsigned char>(name[0])) == 0 &&
+           std::all_of(name.begin(), name.end(), [](unsigned char c) {
+               return c == '_' || (c < 128 && std::isalnum(c) != 0);
+           });
+}
 
 Result<bool> ReadCombine(const TomlReader& reader, const toml::node& node) {
     ETALON_TRY(combine, reader.Text(node, "'combine'"));

@@ -14,6 +14,9 @@ struct DomainDefaults {
     const toml::node* where = nullptr;  // its text; applies beside the domain's own
 };
 
+// True for what GLSL takes as a name.
+bool IsIdentifier(const std::string& name);
+
 Result<bool> ReadCombine(const TomlReader& reader, const toml::node& node);
 
 // Reads and checks everything that can be checked without drawing samples.

@@ -295,6 +295,13 @@ int Main(std::vector<std::string> arguments) {
         ->type_name("FILE")
         ->allow_extra_args(false);
     probe
+        ->add_option(
+            "--image", probe_choice.images,
+            "an image for a sampler, as in a case: 'height={ expr = \"sin(2*pi*u)\", size = "
+            "[64, 64] }'")
+        ->type_name("NAME={ ... }")
+        ->allow_extra_args(false);
+    probe
         ->add_option("--recipe", probe_choice.recipes,
                      "recipe (plain, spirv+O, glsl+baked, ...); repeatable")
         ->allow_extra_args(false);

@@ -156,14 +156,21 @@ Result<std::vector<BoundImage>> BindImages(glslang::TProgram& program, const Cal
                          "' has no value; an input of its name gives it one"};
         }
         const glslang::TSampler& sampler = type->getSampler();
-        if (sampler.dim != glslang::Esd2D || sampler.arrayed || sampler.shadow || sampler.ms ||
-            sampler.type != glslang::EbtFloat || !sampler.combined || type->isArray()) {
-            return Error{call.source.string() + ": '" + uniform.name + "' is no plain sampler2D, " +
-                         "and only that takes an image"};
+        const bool is_cube = sampler.dim == glslang::EsdCube;
+        if ((sampler.dim != glslang::Esd2D && !is_cube) || sampler.arrayed || sampler.shadow ||
+            sampler.ms || sampler.type != glslang::EbtFloat || !sampler.combined ||
+            type->isArray()) {
+            return Error{call.source.string() + ": '" + uniform.name +
+                         "' is no plain sampler2D or samplerCube, and only these take an image"};
         }
         if (image == call.images.end()) {
             return Error{call.source.string() + ": sampler '" + uniform.name +
                          "' has no image; --with " + uniform.name + "=IMAGE gives one"};
+        }
+        if (is_cube != (image->image->shape == ImageShape::kCube)) {
+            return Error{
+                call.source.string() + ": '" + uniform.name + "' is a " +
+                (is_cube ? "samplerCube, its image is flat" : "sampler2D, its image is a cube")};
         }
         if (!has_bindings) {
             bound.push_back(*image);

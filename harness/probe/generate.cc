@@ -123,7 +123,8 @@ void Prologue(const Call& call, const Dialect& dialect, Text& out) {
     for (const BoundImage& image : call.images) {
         const auto& declared = dialect.samplers;
         if (std::find(declared.begin(), declared.end(), image.name) == declared.end()) {
-            out << "uniform sampler2D " << image.name << ";\n";
+            const bool is_cube = image.image->shape == ImageShape::kCube;
+            out << "uniform " << (is_cube ? "samplerCube " : "sampler2D ") << image.name << ";\n";
         }
     }
     out << "#define main etalon_word_main\n"

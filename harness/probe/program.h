@@ -18,13 +18,16 @@
 //                         channel k = word etalon_first + 4a + k; a program of more than
 //                         kTargetWords outputs is drawn several times
 // Images: SPIR-V finds them at set 0, bindings 2, 3, ... in the order of `images`; text by their
-// names.
+// names. They are filtered in binary32; cubes across their edges.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "image/image.h"
+#include "image/sampling.h"
 
 namespace etalon {
 
@@ -36,16 +39,10 @@ inline constexpr std::uint32_t kFirstImageBinding = 2;
 enum class Stage : std::uint8_t { kCompute, kFragment };
 enum class Form : std::uint8_t { kGlsl, kSpirv };
 
-// A two-dimensional image in binary32, read with bilinear filtering and wrapping, one level.
-struct Image {
-    std::uint32_t width = 0;
-    std::uint32_t height = 0;
-    std::vector<float> rgba;  // 4 * width * height values, row by row, first row at v = 0
-};
-
 struct BoundImage {
-    std::string name;  // of the sampler2D in the source
+    std::string name;  // of the sampler2D or samplerCube in the source
     std::shared_ptr<const Image> image;
+    Sampling sampling;
 };
 
 struct Program {

@@ -98,6 +98,7 @@ Result<Call> CallOf(const Case& source, const Table& table) {
     }
     call.defines = source.define;
     ETALON_TRY_STEP(AddWith(source.with, source.root, call));
+    ETALON_TRY_STEP(AddImages(source.images, source.root, call));
     for (const Variable& variable : table.variables) {
         call.arguments.push_back({variable.name, variable.type, true, false});
     }

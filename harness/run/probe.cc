@@ -4,6 +4,7 @@
 #include <cctype>
 #include <ostream>
 
+#include "case/read_images.h"
 #include "compile/compile.h"
 #include "run/csv.h"
 #include "run/fit.h"
@@ -121,6 +122,10 @@ Result<Call> BaseCall(const ProbeChoice& choice) {
         }
     }
     ETALON_TRY_STEP(AddWith(choice.with, "", call));
+    for (const std::string& text : choice.images) {
+        ETALON_TRY(images, ReadImages(text, "--image"));
+        ETALON_TRY_STEP(AddImages(images, "", call));
+    }
     call.wanted = {{"result", choice.call, "CALL"}};
     return call;
 }
@@ -171,8 +176,8 @@ Result<Request> MakeRequest(const ProbeChoice& choice) {
     for (const BoundImage& image : request.call.images) {
         const auto& reached = signature.images;
         if (std::find(reached.begin(), reached.end(), image.name) == reached.end()) {
-            return Error{"--with " + image.name + "=...: the call reaches no sampler '" +
-                         image.name + "'"};
+            return Error{"image '" + image.name + "': the call reaches no sampler '" + image.name +
+                         "'"};
         }
     }
     request.signature = std::move(signature);

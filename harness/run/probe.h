@@ -21,6 +21,7 @@ struct ProbeChoice {
     std::vector<std::string> defines;  // "NAME=VALUE"
     std::vector<std::filesystem::path> include;
     std::vector<std::string> with;     // sources, or NAME=IMAGE
+    std::vector<std::string> images;   // "NAME={ ... }"
     std::vector<std::string> recipes;  // empty: each device's own
     bool csv = false;
     DeviceChoice devices;

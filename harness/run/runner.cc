@@ -1,6 +1,7 @@
 #include "run/runner.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "compile/text.h"
 #include "run/fit.h"
@@ -55,8 +56,11 @@ std::string KeyOf(const Call& call, const Recipe& recipe) {
     for (const auto& [name, value] : call.defines) {
         key += name + '=' + value + '\n';
     }
-    for (const BoundImage& image : call.images) {
-        key += image.name + '\n';
+    for (const BoundImage& bound : call.images) {
+        // An address is not given again to another image while the key is in use.
+        key += bound.name + ' ' + std::to_string(std::bit_cast<std::uintptr_t>(bound.image.get())) +
+               (bound.sampling.filter == Filter::kLinear ? " linear" : " nearest") +
+               (bound.sampling.wrap == Wrap::kRepeat ? " repeat" : " clamp") + '\n';
     }
     for (const Argument& argument : call.arguments) {
         key += argument.type + ' ' + argument.name + (argument.is_input ? " in" : "") +
@@ -155,9 +159,9 @@ Runner::Outcome Runner::Evaluate(const Call& call, const Signature& signature, c
         if (!program) {
             return FromCompiler(program.error());
         }
-        known = compiled_.emplace(key, std::move(*program)).first;
+        known = compiled_.emplace(key, Compiled{std::move(*program), call.images}).first;
     }
-    const Program& program = known->second;
+    const Program& program = known->second.program;
     const std::uint64_t words =
         std::max<std::uint64_t>(1, program.input_words + program.output_words);
     const std::uint64_t chunk = std::clamp<std::uint64_t>(

@@ -59,6 +59,12 @@ class Runner {
   private:
     using Outcome = Result<Nothing, EvaluationFailure>;
 
+    // Of the call's images, a program has those that it reaches; its key names all of them.
+    struct Compiled {
+        Program program;
+        std::vector<BoundImage> images;
+    };
+
     // The program's handle in the present worker, compiled and loaded on first use.
     Result<std::uint32_t, EvaluationFailure> Ready(const std::string& key, const Program& program);
     Outcome RunChunk(const std::string& key, const Program& program, const Rows& inputs,
@@ -72,7 +78,7 @@ class Runner {
     std::unique_ptr<Client> client_;
     DeviceInfo info_;
     std::map<std::string, std::uint32_t> loaded_;  // program key -> handle in the present worker
-    std::map<std::string, Program> compiled_;
+    std::map<std::string, Compiled> compiled_;
     std::string flake_;
 };
 

@@ -34,10 +34,13 @@ void Fields(auto& archive, Is<OpenRequest> auto& request) {
     archive(request.candidate, request.memory_bytes);
 }
 void Fields(auto& archive, Is<Image> auto& image) {
-    archive(image.width, image.height, image.rgba);
+    archive(image.width, image.height, image.levels, image.shape, image.rgba);
+}
+void Fields(auto& archive, Is<Sampling> auto& sampling) {
+    archive(sampling.filter, sampling.wrap);
 }
 void Fields(auto& archive, Is<BoundImage> auto& bound) {
-    archive(bound.name, bound.image);
+    archive(bound.name, bound.image, bound.sampling);
 }
 void Fields(auto& archive, Is<Program> auto& program) {
     archive(program.stage, program.form, program.glsl, program.spirv, program.input_words,
@@ -183,11 +186,21 @@ std::string EncodeRequest(RequestKind kind, const auto& request) {
     return writer.Frame();
 }
 
+bool IsSound(const auto&) {
+    return true;
+}
+bool IsSound(const Program& program) {
+    return std::all_of(program.images.begin(), program.images.end(), [](const BoundImage& bound) {
+        return IsWhole(*bound.image) && bound.sampling.filter <= Filter::kNearest &&
+               bound.sampling.wrap <= Wrap::kClamp;
+    });
+}
+
 template <typename T>
 std::optional<Request> ReadRequest(Reader& reader) {
     T request;
     reader(request);
-    if (!reader.Complete()) {
+    if (!reader.Complete() || !IsSound(request)) {
         return std::nullopt;
     }
     return request;

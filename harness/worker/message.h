@@ -41,6 +41,7 @@ using Request = std::variant<OpenRequest, Program, RunRequest>;
 std::string Encode(const OpenRequest& request);
 std::string Encode(const Program& request);
 std::string Encode(const RunRequest& request);
+// Nothing, too, where an image's values are not those that its numbers tell of.
 std::optional<Request> DecodeRequest(std::string_view message);
 
 // An answer is not believed: a driver may have written over its worker's memory. A reason is cut at

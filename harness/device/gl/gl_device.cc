@@ -6,6 +6,7 @@
 #include "device/gl/gl_context.h"
 #include "device/gl/gl_error.h"
 #include "device/gl/gl_fragment.h"
+#include "device/gl/gl_images.h"
 #include "device/gl/gl_info.h"
 #include "device/gl/gl_storage.h"
 
@@ -17,12 +18,15 @@ class GlDevice final : public Device {
     GlDevice(std::unique_ptr<GlContext> context, DeviceInfo info, const GlLimits& limits)
         : context_(std::move(context)),
           info_(std::move(info)),
-          targets_(context_->gl(), limits, info_.glsl_version),
-          storage_(context_->gl(), limits) {
+          textures_(context_->gl(), limits),
+          targets_(context_->gl(), limits, textures_, info_.glsl_version),
+          storage_(context_->gl(), limits, textures_) {
         // Core profiles draw nothing without a vertex array, even an empty one.
         GLuint vertex_array = 0;
         context_->gl().GenVertexArrays(1, &vertex_array);
         context_->gl().BindVertexArray(vertex_array);
+        // As Vulkan filters cubes always.
+        context_->gl().Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     }
 
     const DeviceInfo& info() const override { return info_; }
@@ -73,6 +77,7 @@ class GlDevice final : public Device {
 
     std::unique_ptr<GlContext> context_;  // first, so that it ends last
     DeviceInfo info_;
+    GlTextures textures_;
     Targets targets_;
     Storage storage_;
     std::vector<Loaded> programs_;

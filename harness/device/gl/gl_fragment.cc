@@ -26,19 +26,20 @@ std::uint32_t DivideUp(std::uint32_t a, std::uint32_t b) {
 
 class FragmentProgram final : public GlProgram {
   public:
-    FragmentProgram(Targets& targets, const Program& program, GLuint object, GlImages images)
+    FragmentProgram(Targets& targets, const Program& program, GLuint object,
+                    std::vector<GlTexture> textures)
         : targets_(targets),
           gl_(targets.gl_),
           input_words_(program.input_words),
           output_words_(program.output_words),
-          images_(std::move(images)),
+          textures_(std::move(textures)),
           object_(object),
           rows_(gl_.GetUniformLocation(object, "etalon_rows")),
           lines_(gl_.GetUniformLocation(object, "etalon_lines")),
           first_(gl_.GetUniformLocation(object, "etalon_first")) {
         gl_.UseProgram(object_);
         gl_.Uniform1i(gl_.GetUniformLocation(object, "etalon_inputs"), kInputsUnit);
-        GlImages::NameSamplers(gl_, object, program.images);
+        NameSamplers(gl_, object, program.images);
         const std::uint32_t texture_size = targets.limits_.texture_size;
         // Baked-in inputs are chosen by the row, so that their rows cannot be split.
         const std::uint32_t lines =
@@ -53,7 +54,7 @@ class FragmentProgram final : public GlProgram {
         const std::uint32_t words_at_once = std::min(output_words_, kTargetWords);
         ETALON_TRY_STEP(targets_.Reserve(input_words_ * lines,
                                          DivideUp(words_at_once, kWordsPerTarget), lines));
-        images_.Bind(gl_);
+        BindTextures(gl_, textures_);
         ETALON_TRY_STEP(Upload(batch, lines));
         gl_.UseProgram(object_);
         gl_.Uniform1i(rows_, static_cast<GLint>(batch.rows));
@@ -122,7 +123,7 @@ class FragmentProgram final : public GlProgram {
     const GlFunctions& gl_;
     std::uint32_t input_words_;
     std::uint32_t output_words_;
-    GlImages images_;
+    std::vector<GlTexture> textures_;
     GLuint object_;
     GLint rows_;  // locations; -1, which GL ignores, where the program has no use for them
     GLint lines_;
@@ -130,8 +131,9 @@ class FragmentProgram final : public GlProgram {
     std::uint32_t max_rows_ = 0;
 };
 
-Targets::Targets(const GlFunctions& gl, const GlLimits& limits, std::uint32_t glsl_version)
-    : gl_(gl), limits_(limits), glsl_version_(glsl_version) {
+Targets::Targets(const GlFunctions& gl, const GlLimits& limits, GlTextures& textures,
+                 std::uint32_t glsl_version)
+    : gl_(gl), limits_(limits), textures_(textures), glsl_version_(glsl_version) {
     gl_.GenFramebuffers(1, &framebuffer_);
 }
 
@@ -141,7 +143,7 @@ DeviceResult<Nothing> Targets::Reserve(std::uint32_t input_lines, std::uint32_t 
     if (input_lines > input_capacity_) {
         input_capacity_ = std::min(std::bit_ceil(input_lines), limits_.texture_size);
         if (inputs_ == 0) {
-            inputs_ = MakeTexture(gl_, GL_NEAREST, GL_CLAMP_TO_EDGE);
+            inputs_ = MakeTexture(gl_);
         }
         gl_.BindTexture(GL_TEXTURE_2D, inputs_);
         gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R32UI, kFragmentWidth,
@@ -155,7 +157,7 @@ DeviceResult<Nothing> Targets::Reserve(std::uint32_t input_lines, std::uint32_t 
     }
     const std::size_t old_count = targets_.size();
     while (targets_.size() < count) {
-        targets_.push_back(MakeTexture(gl_, GL_NEAREST, GL_CLAMP_TO_EDGE));
+        targets_.push_back(MakeTexture(gl_));
     }
     for (std::size_t i = higher ? 0 : old_count; i < targets_.size(); ++i) {
         gl_.BindTexture(GL_TEXTURE_2D, targets_[i]);
@@ -189,8 +191,8 @@ DeviceResult<std::unique_ptr<GlProgram>> Targets::Load(const Program& program) {
     const ShaderSource sources[] = {{GL_VERTEX_SHADER, vertex, {}},
                                     {GL_FRAGMENT_SHADER, program.glsl, {}}};
     ETALON_TRY(object, BuildProgram(gl_, sources, false));
-    ETALON_TRY(images, GlImages::Upload(gl_, limits_, program.images));
-    auto loaded = std::make_unique<FragmentProgram>(*this, program, object, std::move(images));
+    ETALON_TRY(taken, textures_.Take(program.images));
+    auto loaded = std::make_unique<FragmentProgram>(*this, program, object, std::move(taken));
     ETALON_TRY_STEP(CheckGl(gl_, "loading the program"));
     return std::unique_ptr<GlProgram>(std::move(loaded));
 }

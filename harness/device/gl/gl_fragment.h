@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "device/gl/gl_functions.h"
+#include "device/gl/gl_images.h"
 #include "device/gl/gl_info.h"
 #include "device/gl/gl_program.h"
 
@@ -14,7 +15,8 @@ namespace etalon {
 // What such programs share: the inputs' texture and the targets, grown as needed.
 class Targets {
   public:
-    Targets(const GlFunctions& gl, const GlLimits& limits, std::uint32_t glsl_version);
+    Targets(const GlFunctions& gl, const GlLimits& limits, GlTextures& textures,
+            std::uint32_t glsl_version);
 
     DeviceResult<std::unique_ptr<GlProgram>> Load(const Program& program);
 
@@ -28,6 +30,7 @@ class Targets {
 
     const GlFunctions& gl_;
     const GlLimits limits_;
+    GlTextures& textures_;
     const std::uint32_t glsl_version_;
     GLuint inputs_ = 0;
     std::uint32_t input_capacity_ = 0;  // lines

@@ -26,6 +26,7 @@ namespace etalon {
     X(PFNGLDELETESHADERPROC, DeleteShader)                       \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                           \
     X(PFNGLDRAWBUFFERSPROC, DrawBuffers)                         \
+    X(PFNGLENABLEPROC, Enable)                                   \
     X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)       \
     X(PFNGLGENBUFFERSPROC, GenBuffers)                           \
     X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                 \

@@ -1,7 +1,8 @@
-// A program's images as textures.
+// Images as textures.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "device/device.h"
@@ -10,24 +11,42 @@
 
 namespace etalon {
 
-// The textures of Program::images; image i belongs to the unit kFirstImageBinding + i.
-class GlImages {
-  public:
-    static DeviceResult<GlImages> Upload(const GlFunctions& gl, const GlLimits& limits,
-                                         const std::vector<BoundImage>& images);
-
-    // Points the samplers of GLSL text, which are known by their names, at the images' units.
-    // SPIR-V has bindings.
-    static void NameSamplers(const GlFunctions& gl, GLuint program,
-                             const std::vector<BoundImage>& images);
-
-    void Bind(const GlFunctions& gl) const;
-
-  private:
-    std::vector<GLuint> textures_;
+struct GlTexture {
+    GLenum target = GL_TEXTURE_2D;
+    GLuint name = 0;
 };
 
-// A new texture of one level, bound to the active unit.
-GLuint MakeTexture(const GlFunctions& gl, GLint filter, GLint wrap);
+// The images of all programs on a context. They stay as long as it does, and one that comes again,
+// with the same content and sampling, is not uploaded again.
+class GlTextures {
+  public:
+    GlTextures(const GlFunctions& gl, const GlLimits& limits) : gl_(gl), limits_(limits) {}
+
+    // The textures of Program::images; image i belongs to the unit kFirstImageBinding + i.
+    DeviceResult<std::vector<GlTexture>> Take(const std::vector<BoundImage>& images);
+
+  private:
+    struct Known {
+        std::shared_ptr<const Image> image;
+        Sampling sampling;
+        GlTexture texture;
+    };
+
+    DeviceResult<GlTexture> TakeOne(const BoundImage& bound);
+    DeviceResult<GlTexture> Upload(const BoundImage& bound) const;
+
+    const GlFunctions& gl_;
+    const GlLimits limits_;
+    std::vector<Known> known_;
+};
+
+// Points the samplers of GLSL text, which are known by their names, at the images' units. SPIR-V
+// has bindings.
+void NameSamplers(const GlFunctions& gl, GLuint program, const std::vector<BoundImage>& images);
+
+void BindTextures(const GlFunctions& gl, const std::vector<GlTexture>& textures);
+
+// A new flat texture of one level, unfiltered, bound to the active unit.
+GLuint MakeTexture(const GlFunctions& gl);
 
 }  // namespace etalon

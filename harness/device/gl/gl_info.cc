@@ -119,6 +119,7 @@ DeviceInfo DescribeContext(const GlFunctions& gl) {
 GlLimits ReadLimits(const GlFunctions& gl, const DeviceInfo& info) {
     GlLimits limits;
     limits.texture_size = Integer(gl, GL_MAX_TEXTURE_SIZE);
+    limits.cube_size = Integer(gl, GL_MAX_CUBE_MAP_TEXTURE_SIZE);
     limits.texture_units = Integer(gl, GL_MAX_TEXTURE_IMAGE_UNITS);
     limits.targets =
         std::min(Integer(gl, GL_MAX_DRAW_BUFFERS), Integer(gl, GL_MAX_COLOR_ATTACHMENTS));

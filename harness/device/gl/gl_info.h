@@ -28,6 +28,7 @@ DriverVersion ParseDriverVersion(std::string_view gl_version);
 // The limits that decide what a program may be.
 struct GlLimits {
     std::uint32_t texture_size = 0;     // width and height of textures and targets
+    std::uint32_t cube_size = 0;        // of a cube's faces
     std::uint32_t texture_units = 0;    // of one stage
     std::uint32_t targets = 0;          // colour attachments drawn to at once
     std::uint32_t groups = 0;           // in the x dimension of a dispatch; 0 without compute

@@ -34,13 +34,14 @@ void Grow(const GlFunctions& gl, GLuint buffer, std::size_t words, std::size_t& 
 
 class StorageProgram final : public GlProgram {
   public:
-    StorageProgram(Storage& storage, const Program& program, GLuint object, GlImages images)
+    StorageProgram(Storage& storage, const Program& program, GLuint object,
+                   std::vector<GlTexture> textures)
         : storage_(storage),
           gl_(storage.gl_),
           stage_(program.stage),
           input_words_(program.input_words),
           output_words_(program.output_words),
-          images_(std::move(images)) {
+          textures_(std::move(textures)) {
         if (stage_ == Stage::kFragment) {
             gl_.GenProgramPipelines(1, &object_);
             gl_.UseProgramStages(object_, GL_VERTEX_SHADER_BIT, storage_.vertex_program_);
@@ -49,7 +50,7 @@ class StorageProgram final : public GlProgram {
             object_ = object;
         }
         if (program.form == Form::kGlsl) {
-            GlImages::NameSamplers(gl_, object, program.images);
+            NameSamplers(gl_, object, program.images);
         }
         const GlLimits& limits = storage_.limits_;
         const std::uint64_t by_shape = stage_ == Stage::kFragment
@@ -67,7 +68,7 @@ class StorageProgram final : public GlProgram {
         ETALON_TRY_STEP(Upload(batch));
         gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, storage_.inputs_);
         gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, storage_.outputs_);
-        images_.Bind(gl_);
+        BindTextures(gl_, textures_);
         if (stage_ == Stage::kFragment) {
             Draw(batch.rows);
         } else {
@@ -137,12 +138,13 @@ class StorageProgram final : public GlProgram {
     Stage stage_;
     std::uint32_t input_words_;
     std::uint32_t output_words_;
-    GlImages images_;
+    std::vector<GlTexture> textures_;
     GLuint object_ = 0;  // the program; of a fragment program its pipeline
     std::uint32_t max_rows_ = 0;
 };
 
-Storage::Storage(const GlFunctions& gl, const GlLimits& limits) : gl_(gl), limits_(limits) {
+Storage::Storage(const GlFunctions& gl, const GlLimits& limits, GlTextures& textures)
+    : gl_(gl), limits_(limits), textures_(textures) {
     gl_.GenBuffers(1, &inputs_);
     gl_.GenBuffers(1, &outputs_);
 }
@@ -178,8 +180,8 @@ DeviceResult<std::unique_ptr<GlProgram>> Storage::Load(const Program& program) {
         ETALON_TRY_STEP(PrepareDrawing());
     }
     ETALON_TRY(object, BuildProgram(gl_, {&source, 1}, fragment));
-    ETALON_TRY(images, GlImages::Upload(gl_, limits_, program.images));
-    auto loaded = std::make_unique<StorageProgram>(*this, program, object, std::move(images));
+    ETALON_TRY(taken, textures_.Take(program.images));
+    auto loaded = std::make_unique<StorageProgram>(*this, program, object, std::move(taken));
     ETALON_TRY_STEP(CheckGl(gl_, "loading the program"));
     return std::unique_ptr<GlProgram>(std::move(loaded));
 }

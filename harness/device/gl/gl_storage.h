@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "device/gl/gl_functions.h"
+#include "device/gl/gl_images.h"
 #include "device/gl/gl_info.h"
 #include "device/gl/gl_program.h"
 
@@ -12,7 +13,7 @@ namespace etalon {
 // What such programs share: the two buffers, and what a fragment program is drawn with.
 class Storage {
   public:
-    Storage(const GlFunctions& gl, const GlLimits& limits);
+    Storage(const GlFunctions& gl, const GlLimits& limits, GlTextures& textures);
 
     DeviceResult<std::unique_ptr<GlProgram>> Load(const Program& program);
 
@@ -26,6 +27,7 @@ class Storage {
 
     const GlFunctions& gl_;
     const GlLimits limits_;
+    GlTextures& textures_;
     GLuint inputs_ = 0;
     GLuint outputs_ = 0;
     std::size_t input_capacity_ = 0;

@@ -22,13 +22,14 @@ vk::raii::ShaderModule MakeModule(const Gpu& gpu, std::span<const std::uint32_t>
 
 }  // namespace
 
-DeviceResult<LoadedProgram> LoadedProgram::Build(Gpu& gpu, const Program& program) {
+DeviceResult<LoadedProgram> LoadedProgram::Build(Gpu& gpu, Textures& textures,
+                                                 const Program& program) {
     LoadedProgram loaded;
     loaded.stage_ = program.stage;
     loaded.input_words_ = program.input_words;
     loaded.output_words_ = program.output_words;
     for (const BoundImage& image : program.images) {
-        ETALON_TRY(texture, UploadTexture(gpu, image));
+        ETALON_TRY(texture, textures.Take(gpu, image));
         loaded.textures_.push_back(std::move(texture));
     }
     loaded.CreateLayout(gpu);
@@ -49,10 +50,10 @@ void LoadedProgram::CreateLayout(const Gpu& gpu) {
     for (std::uint32_t binding = 0; binding < kStorageBindings; ++binding) {
         bindings.emplace_back(binding, vk::DescriptorType::eStorageBuffer, 1, stage);
     }
-    for (const Texture& texture : textures_) {
+    for (const auto& texture : textures_) {
         const auto binding = static_cast<std::uint32_t>(bindings.size());
         bindings.emplace_back(binding, vk::DescriptorType::eCombinedImageSampler, stage,
-                              *texture.sampler);
+                              *texture->sampler);
     }
     set_layout_ = vk::raii::DescriptorSetLayout(gpu.device, {{}, bindings});
     layout_ = vk::raii::PipelineLayout(gpu.device, {{}, *set_layout_});
@@ -69,7 +70,7 @@ void LoadedProgram::CreateDescriptors(const Gpu& gpu) {
         gpu.device, {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes});
     set_ = std::move(vk::raii::DescriptorSets(gpu.device, {*pool_, *set_layout_})[0]);
     for (std::size_t i = 0; i < textures_.size(); ++i) {
-        const vk::DescriptorImageInfo image({}, *textures_[i].view,
+        const vk::DescriptorImageInfo image({}, *textures_[i]->view,
                                             vk::ImageLayout::eShaderReadOnlyOptimal);
         const auto binding = kFirstImageBinding + static_cast<std::uint32_t>(i);
         gpu.device.updateDescriptorSets(

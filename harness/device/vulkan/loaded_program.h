@@ -1,6 +1,7 @@
 // LoadedProgram: a program as the device holds it: pipeline, descriptors and images.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "device/vulkan/gpu.h"
@@ -11,7 +12,7 @@ namespace etalon {
 class LoadedProgram {
   public:
     // Throws vk::SystemError. The program must suit the device (see capability.h).
-    static DeviceResult<LoadedProgram> Build(Gpu& gpu, const Program& program);
+    static DeviceResult<LoadedProgram> Build(Gpu& gpu, Textures& textures, const Program& program);
 
     std::uint32_t input_words() const { return input_words_; }
     std::uint32_t output_words() const { return output_words_; }
@@ -34,7 +35,7 @@ class LoadedProgram {
     Stage stage_ = Stage::kCompute;
     std::uint32_t input_words_ = 0;
     std::uint32_t output_words_ = 0;
-    std::vector<Texture> textures_;
+    std::vector<std::shared_ptr<const Texture>> textures_;
     vk::raii::DescriptorSetLayout set_layout_ = nullptr;
     vk::raii::PipelineLayout layout_ = nullptr;
     vk::raii::Pipeline pipeline_ = nullptr;

@@ -1,6 +1,9 @@
 // Texture: an image of a program on the device, with its sampler.
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "device/vulkan/gpu.h"
 
 namespace etalon {
@@ -12,8 +15,21 @@ struct Texture {
     vk::raii::Sampler sampler = nullptr;
 };
 
-// Uploads and waits. Throws vk::SystemError; fails where the device cannot filter the format or
-// hold the size.
-DeviceResult<Texture> UploadTexture(Gpu& gpu, const BoundImage& bound);
+// The images of all programs on a device. They stay as long as it does, and one that comes again,
+// with the same content and sampling, is not uploaded again.
+class Textures {
+  public:
+    // Uploads and waits. Throws vk::SystemError; fails where the device cannot filter the format or
+    // hold the size.
+    DeviceResult<std::shared_ptr<const Texture>> Take(Gpu& gpu, const BoundImage& bound);
+
+  private:
+    struct Known {
+        std::shared_ptr<const Image> image;
+        Sampling sampling;
+        std::shared_ptr<const Texture> texture;
+    };
+    std::vector<Known> known_;
+};
 
 }  // namespace etalon

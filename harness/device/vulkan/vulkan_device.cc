@@ -32,7 +32,7 @@ class VulkanDevice final : public Device {
             return Unsupported(*reason);
         }
         return Guard(Kind::kRejected, [&]() -> DeviceResult<std::uint32_t> {
-            ETALON_TRY(loaded, LoadedProgram::Build(*gpu_, program));
+            ETALON_TRY(loaded, LoadedProgram::Build(*gpu_, textures_, program));
             programs_.push_back(std::move(loaded));
             return static_cast<std::uint32_t>(programs_.size() - 1);
         });
@@ -99,6 +99,7 @@ class VulkanDevice final : public Device {
     }
 
     std::unique_ptr<Gpu> gpu_;
+    Textures textures_;
     std::vector<LoadedProgram> programs_;
     std::optional<HostBuffer> inputs_;
     std::optional<HostBuffer> outputs_;
