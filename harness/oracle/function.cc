@@ -6,6 +6,9 @@
 #include "oracle/fresnel.h"
 #include "oracle/intensity.h"
 #include "oracle/plane.h"
+#include "oracle/relief_fields.h"
+#include "oracle/relief_layers.h"
+#include "oracle/relief_texels.h"
 #include "oracle/snell.h"
 
 namespace etalon::oracle {
@@ -14,7 +17,8 @@ const std::vector<Function>& Functions() {
     static const std::vector<Function> functions = [] {
         std::vector<Function> all;
         for (const auto& part : {AbsorptionFunctions(), FresnelFunctions(), IntensityFunctions(),
-                                 PlaneFunctions(), SnellFunctions()}) {
+                                 PlaneFunctions(), ReliefFieldFunctions(), ReliefLayerFunctions(),
+                                 ReliefTexelFunctions(), SnellFunctions()}) {
             all.insert(all.end(), part.begin(), part.end());
         }
         return all;
