@@ -64,8 +64,14 @@ Real FirstRoot(Real a, Real b, Real c, Real length) {
 }
 
 struct Axis {
-    Real start;     // in texels from the first texel's centre
-    Real velocity;  // texels per way
+    Real start;        // in texels from the first texel's centre
+    Real velocity;     // texels per way
+    Real way_a_texel;  // 1 / velocity
+
+    Axis(double texture, double texture_velocity, int texels)
+        : start(texture * static_cast<Real>(texels) - Real{0.5}),
+          velocity(texture_velocity * static_cast<Real>(texels)),
+          way_a_texel(1 / velocity) {}
 
     std::int64_t CellAt(Real t) const {
         return static_cast<std::int64_t>(std::floor(start + velocity * t));
@@ -75,7 +81,7 @@ struct Axis {
         if (velocity == 0) {
             return kInfinity;
         }
-        return (static_cast<Real>(velocity > 0 ? cell + 1 : cell) - start) / velocity;
+        return (static_cast<Real>(velocity > 0 ? cell + 1 : cell) - start) * way_a_texel;
     }
     std::int64_t Next(std::int64_t cell) const { return velocity > 0 ? cell + 1 : cell - 1; }
 };
@@ -84,10 +90,8 @@ class Walk {
   public:
     Walk(const HeightField& field, const double* const* in, std::size_t row)
         : field_(field),
-          x_{in[0][row] * static_cast<Real>(field.size()) - Real{0.5},
-             in[3][row] * static_cast<Real>(field.size())},
-          y_{in[1][row] * static_cast<Real>(field.size()) - Real{0.5},
-             in[4][row] * static_cast<Real>(field.size())},
+          x_(in[0][row], in[3][row], field.size()),
+          y_(in[1][row], in[4][row], field.size()),
           z_(in[2][row]),
           velocity_z_(in[5][row]),
           end_(in[6][row]) {}
@@ -115,10 +119,10 @@ class Walk {
     Real First(Real from, Real raised) const {
         std::int64_t i = x_.CellAt(from);
         std::int64_t j = y_.CellAt(from);
+        Real exit_x = x_.Exit(i);
+        Real exit_y = y_.Exit(j);
         Real t = from;
         while (true) {
-            const Real exit_x = x_.Exit(i);
-            const Real exit_y = y_.Exit(j);
             // Not before t, where rounding has put a border behind the ray.
             const Real out = std::max(t, std::min(std::min(exit_x, exit_y), end_));
             const Real met = FirstInCell(i, j, t, out, raised);
@@ -130,8 +134,10 @@ class Walk {
             }
             if (exit_x <= exit_y) {
                 i = x_.Next(i);
+                exit_x = x_.Exit(i);
             } else {
                 j = y_.Next(j);
+                exit_y = y_.Exit(j);
             }
             t = out;
         }
@@ -178,10 +184,9 @@ void Hit(const double* const* in, double* const* out, std::size_t rows) {
 template <std::size_t kField>
 void Height(const double* const* in, double* const* out, std::size_t rows) {
     const HeightField& field = HeightFields()[kField];
-    const auto texels = static_cast<Real>(field.size());
     for (std::size_t row = 0; row < rows; ++row) {
-        const Axis x = {in[0][row] * texels - Real{0.5}, 0};
-        const Axis y = {in[1][row] * texels - Real{0.5}, 0};
+        const Axis x(in[0][row], 0, field.size());
+        const Axis y(in[1][row], 0, field.size());
         if (!(std::fabs(x.start) <= 0x1p62L && std::fabs(y.start) <= 0x1p62L)) {
             out[0][row] = std::numeric_limits<double>::quiet_NaN();
             continue;
