@@ -211,7 +211,7 @@ TEST(ReliefTexels, ARayThatStartsLaterIsMetAtTheSamePlace) {
         }
         const double skipped = std::floor(whole * 64) / 128;
         Row rest = ray;
-        for (int k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k) {
             rest[k] = ray[k] + skipped * ray[3 + k];
         }
         rest[6] -= skipped;
