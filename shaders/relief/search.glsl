@@ -26,6 +26,13 @@ struct ReliefBracket {
     vec2 below;
 };
 
+// The height z of a map's sample, 0 .. 1, in a layer of this scale above this level: within the box
+// for any input, the floor for NaN. Exact but for two roundings.
+float decode_height(float height_sample, float scale, float level)
+{
+    return relief_height(height_sample * scale + level);
+}
+
 // The heights of `layers` (RELIEF_TRANSLUCENT, _SOLID or _BOTH) above the ray after the way t; a
 // layer is met where its gap is not negative. RELIEF_UNKNOWN for a layer that is not asked for.
 vec2 relief_gaps(ReliefRay ray, float t, int layers)
