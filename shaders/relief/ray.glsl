@@ -47,12 +47,14 @@ struct ReliefHit {
 // x where it is a number within +-limit, else the nearer bound; 0 for NaN.
 float relief_finite(float x, float limit)
 {
-    return x >= -limit ? min(x, limit) : (x < 0.0 ? -limit : 0.0);
+    // Compared with its magnitude: SwiftShader takes x >= -limit for false where both are constants
+    // and `precise`.
+    return abs(x) <= limit ? x : (x > 0.0 ? limit : (x < 0.0 ? -limit : 0.0));
 }
 
 float relief_height(float height)
 {
-    return height >= -0.5 ? min(height, 0.5) : -0.5;
+    return abs(height) <= 0.5 ? height : (height > 0.5 ? 0.5 : -0.5);
 }
 
 float relief_texture_per_height(float texture_per_height)
