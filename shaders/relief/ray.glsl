@@ -47,12 +47,19 @@ struct ReliefHit {
 // x where it is a number within +-limit, else the nearer bound; 0 for NaN.
 float relief_finite(float x, float limit)
 {
-    return x >= -limit ? min(x, limit) : (x < 0.0 ? -limit : 0.0);
+    // Compared with its magnitude: SwiftShader takes x >= -limit for false where both are constants
+    // and `precise`.
+    return abs(x) <= limit ? x : (x > 0.0 ? limit : (x < 0.0 ? -limit : 0.0));
 }
 
 float relief_height(float height)
 {
-    return height >= -0.5 ? min(height, 0.5) : -0.5;
+    return abs(height) <= 0.5 ? height : (height > 0.5 ? 0.5 : -0.5);
+}
+
+float relief_texture_per_height(float texture_per_height)
+{
+    return texture_per_height >= 1e-6 ? min(texture_per_height, 1024.0) : 1e-6;
 }
 
 vec3 relief_position(ReliefRay ray, float t)
@@ -75,7 +82,7 @@ ReliefRay relief_ray(vec3 start, vec3 direction, float texture_per_height)
                   relief_finite(direction.z, 1e18));
     float longest = max(abs(d.x), max(abs(d.y), abs(d.z)));
     d = longest >= 1e-18 ? normalize(d / longest) : vec3(0.0, 0.0, -1.0);
-    float scale = texture_per_height >= 1e-6 ? min(texture_per_height, 1024.0) : 1e-6;
+    float scale = relief_texture_per_height(texture_per_height);
 
     ReliefRay ray;
     ray.start = vec3(relief_finite(start.x, 65536.0), relief_finite(start.y, 65536.0),
@@ -96,7 +103,7 @@ ReliefRay relief_view_ray(vec2 uv, vec3 to_eye, float texture_per_height)
     float flat_length = max(abs(x), abs(y));
     float z = max(relief_finite(to_eye.z, 1e18), flat_length / 64.0);
     vec2 tangent = z > 1e-18 ? vec2(x, y) / z : vec2(0.0);
-    float scale = texture_per_height >= 1e-6 ? min(texture_per_height, 1024.0) : 1e-6;
+    float scale = relief_texture_per_height(texture_per_height);
     return relief_ray(vec3(uv + 0.5 * scale * tangent, 0.5), vec3(-tangent, -1.0),
                       texture_per_height);
 }

@@ -1,0 +1,86 @@
+// How many steps a linear search needs: by the map's texels, its roughness, the ray's angle, the
+// distance, or a map of densities. Counts are 1 .. RELIEF_MAX_STEPS for any input.
+#ifndef ETALON_RELIEF_ADAPTIVE
+#define ETALON_RELIEF_ADAPTIVE
+
+#include "refine.glsl"
+
+// The share of a search's steps that the scene wants at uv, 0 .. 1: from a texture, beside the
+// heights. NaN counts as 1.
+float step_density(vec2 uv);
+
+// The next whole number as a count of steps.
+int relief_ceil_steps(float steps)
+{
+    return steps < float(RELIEF_MAX_STEPS) ? int(ceil(max(steps, 1.0))) : RELIEF_MAX_STEPS;
+}
+
+// From `least` for a ray along the normal to `most` for one along the surface, linear in the
+// cosine (Tatarchuk's parallax occlusion mapping, thesis 2.3.1).
+int steps_for_angle(ReliefRay ray, int least, int most)
+{
+    float few = float(relief_steps(least));
+    float many = float(relief_steps(most));
+    return relief_ceil_steps(many + (few - many) * abs(ray.velocity.z));
+}
+
+// So many steps that per_texel of them fall on each texel that the ray passes, of a map of so many
+// texels per texture coordinate. Where that is more than RELIEF_MAX_STEPS a step is longer: with
+// 51.2 texels to the box height and 2 per texel from 84 degrees on.
+int steps_for_texels(ReliefRay ray, vec2 map_size, float per_texel)
+{
+    vec2 texels = ray.end * ray.velocity.xy * map_size;
+    return relief_ceil_steps(max(abs(texels.x), abs(texels.y)) * per_texel);
+}
+
+// The part of `steps` that a map no steeper than `slope` (height by length, both in box heights)
+// needs. A ray steeper than the map crosses it once, and one step cannot lose a crossing; the
+// share grows from there to all steps for a wall or a ray along the surface.
+int steps_for_slope(ReliefRay ray, float texture_per_height, float slope, int steps)
+{
+    float along = length(ray.velocity.xy) / relief_texture_per_height(texture_per_height);
+    float share = 1.0 - abs(ray.velocity.z) / (along * slope);
+    return share > 0.0 || share <= 0.0 ? relief_ceil_steps(float(relief_steps(steps)) * share)
+                                       : relief_steps(steps);
+}
+
+// The part of `steps` that is left where a pixel covers so many texels of the map: what is smaller
+// than a pixel need not be found.
+int steps_for_distance(float texels_per_pixel, int steps)
+{
+    float count = float(relief_steps(steps));
+    return relief_ceil_steps(texels_per_pixel > 1.0 ? count / texels_per_pixel : count);
+}
+
+// search_bracket with steps that are longer where step_density is below 1: its share of `steps` for
+// the whole ray. Never more than `steps` steps. One sample of the density for each.
+ReliefBracket search_bracket_by_density(ReliefRay ray, int layers, int steps)
+{
+    int count = relief_steps(steps);
+    ReliefBracket bracket;
+    bracket.t_above = 0.0;
+    bracket.above = relief_gaps(ray, 0.0, layers);
+    bracket.t_below = 0.0;
+    bracket.below = bracket.above;
+    for (int i = 1; i <= count && bracket.t_below < ray.end &&
+                    relief_met(bracket.below) == RELIEF_NONE;
+         ++i) {
+        float share = step_density(relief_position(ray, bracket.t_below).xy) * float(count);
+        float divisor = share < float(count) ? max(share, 1.0) : float(count);
+        bracket.t_above = bracket.t_below;
+        bracket.above = bracket.below;
+        bracket.t_below = i < count ? min(bracket.t_above + ray.end / divisor, ray.end) : ray.end;
+        bracket.below = relief_gaps(ray, bracket.t_below, layers);
+    }
+    return bracket;
+}
+
+// find_relief on the steps of a density map.
+ReliefHit find_relief_by_density(ReliefRay ray, int steps, int iterations)
+{
+    ReliefBracket bracket = search_bracket_by_density(ray, RELIEF_BOTH, steps);
+    bracket = narrow_binary(ray, bracket, iterations);
+    return relief_hit(ray, bracket, relief_secant(bracket));
+}
+
+#endif
