@@ -1,0 +1,55 @@
+// Light's maps as formulas, without prefiltering: shadow_map.sum in harness/oracle has the same.
+//   scene 0  a plate: depth 2, where x and y are within +-3
+//   scene 1  a tilted plate: depth 2 + x / 2, where x and y are within +-3
+//   scene 2  a sphere of radius 2 about depth 4
+//   scene 3  a wedge: depth 2 + |x| / 2, where x and y are within +-3
+//   scene 4  a slab without end: depth 2
+// lit across the light by 1. The map is 8 wide, x and y are -4 to 4.
+uniform float scene;
+
+vec2 place(vec2 uv)
+{
+    return (uv - 0.5) * 8.0;
+}
+
+float map_depth(vec2 uv, float level)
+{
+    vec2 p = place(uv);
+    if (scene < 0.5 || scene > 3.5) {
+        return 2.0;
+    }
+    if (scene < 1.5) {
+        return 2.0 + 0.5 * p.x;
+    }
+    if (scene < 2.5) {
+        return 4.0 - sqrt(max(4.0 - dot(p, p), 0.0));
+    }
+    return 2.0 + 0.5 * abs(p.x);
+}
+
+vec3 map_normal(vec2 uv, float level)
+{
+    vec2 p = place(uv);
+    if (scene < 0.5 || scene > 3.5) {
+        return vec3(0.0, 0.0, 1.0);
+    }
+    if (scene < 1.5) {
+        return vec3(-0.44721360, 0.0, 0.89442719);
+    }
+    if (scene < 2.5) {
+        return vec3(p, sqrt(max(4.0 - dot(p, p), 0.0))) * 0.5;
+    }
+    return vec3(p.x < 0.0 ? -0.44721360 : 0.44721360, 0.0, 0.89442719);
+}
+
+vec3 map_irradiance(vec2 uv, float level)
+{
+    vec2 p = place(uv);
+    if (scene > 3.5) {
+        return vec3(1.0);
+    }
+    if (scene > 1.5 && scene < 2.5) {
+        return vec3(sqrt(max(4.0 - dot(p, p), 0.0)) * 0.5);
+    }
+    return max(abs(p.x), abs(p.y)) <= 3.0 ? vec3(map_normal(uv, level).z) : vec3(0.0);
+}
