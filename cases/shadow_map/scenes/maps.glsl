@@ -1,4 +1,4 @@
-// Light's maps as formulas, without prefiltering: shadow_map.sum in harness/oracle has the same.
+// Light's maps as formulas; shadow_map.sum in harness/oracle is the sum over their texels.
 //   scene 0  a plate: depth 2, where x and y are within +-3
 //   scene 1  a tilted plate: depth 2 + x / 2, where x and y are within +-3
 //   scene 2  a sphere of radius 2 about depth 4
@@ -42,6 +42,13 @@ vec3 map_normal(vec2 uv, float level)
     return vec3(p.x < 0.0 ? -0.44721360 : 0.44721360, 0.0, 0.89442719);
 }
 
+// The mean over a texel of that level, 128 to the map's side; of the sphere, its middle.
+float covered(float x, float level)
+{
+    float texel = 0.0625 * exp2(level);
+    return max(min(x + 0.5 * texel, 3.0) - max(x - 0.5 * texel, -3.0), 0.0) / texel;
+}
+
 vec3 map_irradiance(vec2 uv, float level)
 {
     vec2 p = place(uv);
@@ -51,5 +58,5 @@ vec3 map_irradiance(vec2 uv, float level)
     if (scene > 1.5 && scene < 2.5) {
         return vec3(sqrt(max(4.0 - dot(p, p), 0.0)) * 0.5);
     }
-    return max(abs(p.x), abs(p.y)) <= 3.0 ? vec3(map_normal(uv, level).z) : vec3(0.0);
+    return vec3(map_normal(uv, level).z * covered(p.x, level) * covered(p.y, level));
 }
