@@ -53,8 +53,9 @@ float gather_level(float area, float texel)
 
 // One tap: the light of a part of the map, from its place, depth and normal at that level, weighted
 // by the integral of R_d from `inner` to `outer` (squared lateral ways) at its own depth difference.
-vec3 gather_tap(LightMap map, Dipole medium, vec3 leaves, vec2 uv, float level, float middle,
-                float inner, float outer)
+// `unit` is the map's width at the depth for which these ways hold.
+vec3 gather_tap(LightMap map, Dipole medium, vec3 leaves, float unit, vec2 uv, float level,
+                float middle, float inner, float outer)
 {
     float depth = gather_depth(uv, level);
     float width = gather_width(map, depth);
@@ -62,7 +63,7 @@ vec3 gather_tap(LightMap map, Dipole medium, vec3 leaves, vec2 uv, float level, 
     float height = max(dot(way, way) - middle, 0.0);
     vec3 weight =
         dipole_beyond(medium, inner + height) - dipole_beyond(medium, outer + height);
-    float scale = width / gather_width(map, leaves.z);
+    float scale = width / unit;
     vec3 entered = light_limit(map_irradiance(uv, level), 0.0, 1e18);
     float surface = scale * scale * gather_slant(map, uv, map_normal(uv, level));
     return entered * (max(weight, 0.0) * surface);
@@ -93,12 +94,17 @@ vec3 gather_translucency(LightMap map, Dipole medium, vec2 uv, float depth, int 
     depth = light_limit(depth, 0.0, 1048576.0);
     int rings = (clamp(taps, 1, GATHER_MAX_TAPS) - 1) / 4;
 
-    float width = gather_width(map, depth);
-    vec3 leaves = vec3((uv - 0.5) * width, depth);
-    float texel = width / map.resolution;
+    vec3 leaves = vec3((uv - 0.5) * gather_width(map, depth), depth);
+    float enters = gather_depth(uv, 0.0);
+    float unit = gather_width(map, enters);
+    float texel = unit / map.resolution;
+    // Nearest is what lies under the point along the axis, not along a slanted ray of the light.
+    if (map.spread > 0.0) {
+        uv = leaves.xy / unit + 0.5;
+    }
     // The light of an even map fades with the way d about as exp(-s d) / d, of which the power in
     // `nearest * left^-power` keeps the slope at the nearest point; `left` is what lies beyond.
-    float thickness = depth - gather_depth(uv, 0.0);
+    float thickness = depth - enters;
     float pole = dot(medium.real_depth, vec3(1.0 / 3.0));
     float nearest = thickness * thickness + pole * pole;
     float power = 2.0 / (1.0 + dot(medium.extinction, vec3(1.0 / 3.0)) * sqrt(nearest));
@@ -108,7 +114,7 @@ vec3 gather_translucency(LightMap map, Dipole medium, vec2 uv, float depth, int 
     float left = 1.0 - share;
     float outer = rings > 0 ? nearest * (exp2(-power * log2(left)) - 1.0) : end;
     float level = gather_level(3.14159265 * outer, texel);
-    vec3 sum = gather_tap(map, medium, leaves, uv, level, 0.0, 0.0, outer);
+    vec3 sum = gather_tap(map, medium, leaves, unit, uv, level, 0.0, 0.0, outer);
     vec2 axis = vec2(1.0, 0.0);
     for (int ring = 1; ring <= rings; ++ring) {
         float inner = outer;
@@ -119,9 +125,10 @@ vec3 gather_translucency(LightMap map, Dipole medium, vec2 uv, float depth, int 
         // By the golden angle, so that no two rings are aligned.
         axis = vec2(-0.73736888 * axis.x - 0.67549029 * axis.y,
                     0.67549029 * axis.x - 0.73736888 * axis.y);
-        vec2 step = sqrt(middle) / width * axis;
+        vec2 step = sqrt(middle) / unit * axis;
         for (int quarter = 0; quarter < 4; ++quarter) {
-            sum += 0.25 * gather_tap(map, medium, leaves, uv + step, level, middle, inner, outer);
+            sum += 0.25
+                * gather_tap(map, medium, leaves, unit, uv + step, level, middle, inner, outer);
             step = vec2(-step.y, step.x);
         }
     }

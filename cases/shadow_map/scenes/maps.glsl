@@ -7,6 +7,10 @@
 // lit across the light by 1. The map is 8 wide, x and y are -4 to 4.
 uniform float scene;
 
+#ifndef DEPTH_UNIT
+#define DEPTH_UNIT 1.0
+#endif
+
 vec2 place(vec2 uv)
 {
     return (uv - 0.5) * 8.0;
@@ -16,15 +20,15 @@ float map_depth(vec2 uv, float level)
 {
     vec2 p = place(uv);
     if (scene < 0.5 || scene > 3.5) {
-        return 2.0;
+        return 2.0 * DEPTH_UNIT;
     }
     if (scene < 1.5) {
-        return 2.0 + 0.5 * p.x;
+        return (2.0 + 0.5 * p.x) * DEPTH_UNIT;
     }
     if (scene < 2.5) {
-        return 4.0 - sqrt(max(4.0 - dot(p, p), 0.0));
+        return (4.0 - sqrt(max(4.0 - dot(p, p), 0.0))) * DEPTH_UNIT;
     }
-    return 2.0 + 0.5 * abs(p.x);
+    return (2.0 + 0.5 * abs(p.x)) * DEPTH_UNIT;
 }
 
 vec3 map_normal(vec2 uv, float level)
