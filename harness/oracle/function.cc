@@ -9,6 +9,7 @@
 #include "oracle/relief_fields.h"
 #include "oracle/relief_layers.h"
 #include "oracle/relief_texels.h"
+#include "oracle/shadow_map.h"
 #include "oracle/snell.h"
 
 namespace etalon::oracle {
@@ -16,9 +17,17 @@ namespace etalon::oracle {
 const std::vector<Function>& Functions() {
     static const std::vector<Function> functions = [] {
         std::vector<Function> all;
-        for (const auto& part : {AbsorptionFunctions(), FresnelFunctions(), IntensityFunctions(),
-                                 PlaneFunctions(), ReliefFieldFunctions(), ReliefLayerFunctions(),
-                                 ReliefTexelFunctions(), SnellFunctions()}) {
+        for (const auto& part : {
+                 AbsorptionFunctions(),
+                 FresnelFunctions(),
+                 IntensityFunctions(),
+                 PlaneFunctions(),
+                 ReliefFieldFunctions(),
+                 ReliefLayerFunctions(),
+                 ReliefTexelFunctions(),
+                 ShadowMapFunctions(),
+                 SnellFunctions(),
+             }) {
             all.insert(all.end(), part.begin(), part.end());
         }
         return all;

@@ -38,6 +38,7 @@ class Big {
     friend bool operator==(const Big& a, const Big& b) { return mpfr_equal_p(a.value_, b.value_); }
 
     friend Big Sqrt(const Big& a) { return Apply(mpfr_sqrt, a); }
+    friend Big Atan(const Big& a) { return Apply(mpfr_atan, a); }
     friend Big Expm1(const Big& a) { return Apply(mpfr_expm1, a); }
     friend Big Exp2(const Big& a) { return Apply(mpfr_exp2, a); }
     friend Big Abs(const Big& a) { return Apply(mpfr_abs, a); }
