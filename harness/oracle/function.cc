@@ -5,6 +5,7 @@
 #include "oracle/absorption.h"
 #include "oracle/fresnel.h"
 #include "oracle/intensity.h"
+#include "oracle/layered.h"
 #include "oracle/plane.h"
 #include "oracle/snell.h"
 
@@ -14,7 +15,7 @@ const std::vector<Function>& Functions() {
     static const std::vector<Function> functions = [] {
         std::vector<Function> all;
         for (const auto& part : {AbsorptionFunctions(), FresnelFunctions(), IntensityFunctions(),
-                                 PlaneFunctions(), SnellFunctions()}) {
+                                 LayeredFunctions(), PlaneFunctions(), SnellFunctions()}) {
             all.insert(all.end(), part.begin(), part.end());
         }
         return all;

@@ -40,6 +40,7 @@ class Big {
     friend Big Sqrt(const Big& a) { return Apply(mpfr_sqrt, a); }
     friend Big Expm1(const Big& a) { return Apply(mpfr_expm1, a); }
     friend Big Exp2(const Big& a) { return Apply(mpfr_exp2, a); }
+    friend Big BesselJ1(const Big& a) { return Apply(mpfr_j1, a); }
     friend Big Abs(const Big& a) { return Apply(mpfr_abs, a); }
 
   private:
