@@ -27,12 +27,12 @@ ETALON_BATCH void Way(const double* const* in, double* const* out, std::size_t r
         const double along = Sum(Dot(v, n, row)) / normal_square;
         const double across_scale = n1 / std::sqrt(Sum(Dot(v, v, row)));
         double ray[3];
-        double across_square = 0;
         for (int k = 0; k < 3; ++k) {
             ray[k] = -across_scale * std::fma(-along, n[k][row], v[k][row]);
-            across_square += ray[k] * ray[k];
         }
-        const double rest = std::sqrt((n2 * n2 - across_square) / normal_square);
+        const double along_scale = across_scale * along;
+        const double rest =
+            std::sqrt((n2 - n1) * (n2 + n1) / normal_square + along_scale * along_scale);
         for (int k = 0; k < 3; ++k) {
             ray[k] -= std::copysign(rest, along) * n[k][row];
         }
@@ -77,7 +77,7 @@ void Disc(const double* const* in, double* const* out, std::size_t rows) {
 
 std::vector<Function> LayeredFunctions() {
     return {
-        {"layered.way", {{"v", 3}, {"n", 3}, {"n1", 1}, {"n2", 1}, {"d", 1}}, 3, Way, 0, 2e-12},
+        {"layered.way", {{"v", 3}, {"n", 3}, {"n1", 1}, {"n2", 1}, {"d", 1}}, 3, Way, 0, 8e-13},
         {"layered.disc", {{"x", 1}}, 1, Disc, 0, 2e-14},
     };
 }
