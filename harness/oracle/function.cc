@@ -5,6 +5,7 @@
 #include "oracle/absorption.h"
 #include "oracle/fresnel.h"
 #include "oracle/intensity.h"
+#include "oracle/layered.h"
 #include "oracle/plane.h"
 #include "oracle/relief_fields.h"
 #include "oracle/relief_layers.h"
@@ -21,6 +22,7 @@ const std::vector<Function>& Functions() {
                  AbsorptionFunctions(),
                  FresnelFunctions(),
                  IntensityFunctions(),
+                 LayeredFunctions(),
                  PlaneFunctions(),
                  ReliefFieldFunctions(),
                  ReliefLayerFunctions(),

@@ -41,6 +41,7 @@ class Big {
     friend Big Atan(const Big& a) { return Apply(mpfr_atan, a); }
     friend Big Expm1(const Big& a) { return Apply(mpfr_expm1, a); }
     friend Big Exp2(const Big& a) { return Apply(mpfr_exp2, a); }
+    friend Big BesselJ1(const Big& a) { return Apply(mpfr_j1, a); }
     friend Big Abs(const Big& a) { return Apply(mpfr_abs, a); }
 
   private:
