@@ -6,6 +6,7 @@
 #include "oracle/fresnel.h"
 #include "oracle/intensity.h"
 #include "oracle/plane.h"
+#include "oracle/slab.h"
 #include "oracle/snell.h"
 
 namespace etalon::oracle {
@@ -14,7 +15,7 @@ const std::vector<Function>& Functions() {
     static const std::vector<Function> functions = [] {
         std::vector<Function> all;
         for (const auto& part : {AbsorptionFunctions(), FresnelFunctions(), IntensityFunctions(),
-                                 PlaneFunctions(), SnellFunctions()}) {
+                                 PlaneFunctions(), SlabFunctions(), SnellFunctions()}) {
             all.insert(all.end(), part.begin(), part.end());
         }
         return all;
