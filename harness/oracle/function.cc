@@ -11,6 +11,7 @@
 #include "oracle/relief_layers.h"
 #include "oracle/relief_texels.h"
 #include "oracle/shadow_map.h"
+#include "oracle/slab.h"
 #include "oracle/snell.h"
 
 namespace etalon::oracle {
@@ -28,6 +29,7 @@ const std::vector<Function>& Functions() {
                  ReliefLayerFunctions(),
                  ReliefTexelFunctions(),
                  ShadowMapFunctions(),
+                 SlabFunctions(),
                  SnellFunctions(),
              }) {
             all.insert(all.end(), part.begin(), part.end());

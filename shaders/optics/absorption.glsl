@@ -2,24 +2,22 @@
 //
 // d is the length of the way and half_distance the length that halves the light, in the same unit.
 // A negative d counts as 0. half_distance must be at least 2^-126; anything less counts as that.
-// absorb_color is how strongly each channel is absorbed, clamped to 0..1. No finite input yields
-// NaN or infinity. Errors are stated for a device whose division is correctly rounded and whose
-// exp2 is as good as Vulkan asks, 3 + 2 |x| ulp; y stands for d / half_distance.
+// absorb_color is how strongly each channel is absorbed, clamped to 0..1. A NaN counts as the
+// largest number, one with a sign as the least. No input yields NaN or infinity. Errors are stated
+// for a device whose division is correctly rounded and whose exp2 is as good as Vulkan asks,
+// 3 + 2 |x| ulp; y stands for d / half_distance.
 #ifndef ETALON_OPTICS_ABSORPTION
 #define ETALON_OPTICS_ABSORPTION
 
-#ifdef GL_ES
-precision highp float;
-precision highp int;
-#endif
+#include "limit.glsl"
 
 // d / half_distance, 0 to 2^64.
 float optics_half_distances(float d, float half_distance)
 {
-    d = max(d, 0.0);
-    // The second limit keeps the quotient finite, the third its divisor normal.
-    float divisor = max(max(half_distance, d / 18446744073709551616.0), 1.17549435e-38);
-    return d / divisor;
+    d = optics_limit(d, 0.0, 3.402823466e38);
+    half_distance = optics_limit(half_distance, 1.17549435e-38, 3.402823466e38);
+    // Keeps the quotient finite.
+    return d / max(half_distance, d / 18446744073709551616.0);
 }
 
 // The absorbed share 1 - 2^(-d / half_distance), 0 to 1: 0 at d = 0, 1/2 at d = half_distance.
@@ -54,7 +52,7 @@ float transmitted_fraction(float d, float half_distance)
 // Source: thesis section 4.1.2 and appendix A.2; beer_lambert is the physical rule.
 vec3 hued_transmittance(float d, float half_distance, vec3 absorb_color)
 {
-    absorb_color = clamp(absorb_color, 0.0, 1.0);
+    absorb_color = optics_limit(absorb_color, 0.0, 1.0);
     return (1.0 - absorb_color) + absorb_color * transmitted_fraction(d, half_distance);
 }
 
@@ -64,7 +62,7 @@ vec3 hued_transmittance(float d, float half_distance, vec3 absorb_color)
 vec3 beer_lambert(float d, float half_distance, vec3 absorb_color)
 {
     float y = optics_half_distances(d, half_distance);
-    return exp2(-min(clamp(absorb_color, 0.0, 1.0) * y, 256.0));
+    return exp2(-min(optics_limit(absorb_color, 0.0, 1.0) * y, 256.0));
 }
 
 #endif

@@ -51,7 +51,7 @@ vec4 optics_fresnel(float n1, float n2, float cos_i)
 {
     n1 = optics_clamp_index(n1);
     n2 = optics_clamp_index(n2);
-    cos_i = clamp(cos_i, 0.0, 1.0);
+    cos_i = optics_limit(cos_i, 0.0, 1.0);
     if (n1 == n2) {
         return vec4(0.0, 0.0, 1.0, 1.0);
     }
@@ -73,8 +73,8 @@ vec4 optics_fresnel(float n1, float n2, float cos_i, vec2 critical)
     if (n1 <= n2) {
         return optics_fresnel(n1, n2, cos_i);
     }
-    cos_i = clamp(cos_i, 0.0, 1.0);
-    critical = clamp(critical, -1.0, 1.0);
+    cos_i = optics_limit(cos_i, 0.0, 1.0);
+    critical = optics_limit(critical, 1.0);
     float above = (cos_i - critical.x) - critical.y;
     if (above <= 0.0) {
         return vec4(1.0, 1.0, 0.0, 0.0);
@@ -143,7 +143,7 @@ float fresnel_schlick(float n1, float n2, float cos_i)
 {
     n1 = optics_clamp_index(n1);
     n2 = optics_clamp_index(n2);
-    cos_i = clamp(cos_i, 0.0, 1.0);
+    cos_i = optics_limit(cos_i, 0.0, 1.0);
     float amplitude = (n2 - n1) / (n2 + n1);
     float r0 = amplitude * amplitude;
     float rest = 1.0 - cos_i;

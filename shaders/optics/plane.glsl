@@ -3,15 +3,12 @@
 // The ray is i + t v: i its start, v its direction of any length, t in units of that length. A ray
 // that is parallel to the plane, or meets it beyond |t| = 2^100, yields -1. A negative t says that
 // the plane is behind the start: where only t >= 0 counts as a hit, -1 needs no test of its own.
-// Positions are clamped to +-2^100 and directions to +-2^20 in each component; no finite input
-// yields NaN or infinity.
+// Positions are clamped to +-2^100 and directions to +-2^20 in each component, a NaN to the bound
+// on the side of its sign bit; no input yields NaN or infinity.
 #ifndef ETALON_OPTICS_PLANE
 #define ETALON_OPTICS_PLANE
 
-#ifdef GL_ES
-precision highp float;
-precision highp int;
-#endif
+#include "limit.glsl"
 
 float optics_ray_quotient(float distance_to_plane, float approach)
 {
@@ -29,10 +26,10 @@ float plane_ray_parameter(vec3 i, vec3 v, vec3 s, vec3 n)
 {
     const float far = 1267650600228229401496703205376.0;
     const float longest = 1048576.0;
-    i = clamp(i, -far, far);
-    s = clamp(s, -far, far);
-    v = clamp(v, -longest, longest);
-    n = clamp(n, -longest, longest);
+    i = optics_limit(i, far);
+    s = optics_limit(s, far);
+    v = optics_limit(v, longest);
+    n = optics_limit(n, longest);
     return optics_ray_quotient(dot(s - i, n), dot(v, n));
 }
 
@@ -41,8 +38,17 @@ float plane_ray_parameter(vec3 i, vec3 v, vec3 s, vec3 n)
 float flat_layer_ray_parameter(float h, vec3 i, vec3 v)
 {
     const float far = 1267650600228229401496703205376.0;
-    return optics_ray_quotient(clamp(h, -far, far) - clamp(i.z, -far, far),
-                               clamp(v.z, -1048576.0, 1048576.0));
+    return optics_ray_quotient(optics_limit(h, far) - optics_limit(i.z, far),
+                               optics_limit(v.z, 1048576.0));
+}
+
+// t where a ray that goes down meets the flat layer z = h ahead of its start, -1 where it does not:
+// it goes up or along the layer, or starts below it. Error: 2 ulp.
+// Source: thesis section 4.1.3, whose test is v.z < 0 alone, and its t >= 0 of eq. (22).
+float flat_layer_hit(float h, vec3 i, vec3 v)
+{
+    float t = flat_layer_ray_parameter(h, i, v);
+    return optics_limit(v.z, 1.0) < 0.0 && t >= 0.0 ? t : -1.0;
 }
 
 #endif

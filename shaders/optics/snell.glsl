@@ -4,9 +4,9 @@
 // medium behind the interface; only their ratio has a meaning. cos_i is the cosine of the angle
 // between the ray and the normal, 0 grazing, 1 normal incidence. v is the direction of travel and
 // n the surface normal, unit length, dot(v, n) <= 0. Indices are clamped to [1/1024, 1024],
-// cosines to [0, 1] and components of vectors to +-2^40, so that no finite input yields NaN or
-// infinity. The errors stated hold for indices from 1 to 4 and every cosine, on a device that
-// rounds + - * / sqrt correctly and keeps subnormals.
+// cosines to [0, 1] and components of vectors to +-2^40, a NaN to the limit on the side of its
+// sign bit, so that no input yields NaN or infinity. The errors stated hold for indices from 1 to
+// 4 and every cosine, on a device that rounds + - * / sqrt correctly and keeps subnormals.
 //
 // Near the critical angle the transmitted cosine is the root of a difference that cancels without
 // limit. There, and only there, the difference is formed in integers, exactly: no `precise`, no
@@ -15,19 +15,16 @@
 #ifndef ETALON_OPTICS_SNELL
 #define ETALON_OPTICS_SNELL
 
-#ifdef GL_ES
-precision highp float;
-precision highp int;
-#endif
+#include "limit.glsl"
 
 float optics_clamp_index(float n)
 {
-    return clamp(n, 1.0 / 1024.0, 1024.0);
+    return optics_limit(n, 1.0 / 1024.0, 1024.0);
 }
 
 vec3 optics_clamp_vector(vec3 v)
 {
-    return clamp(v, -1099511627776.0, 1099511627776.0);
+    return optics_limit(v, 1099511627776.0);
 }
 
 // The 64 bits of a * b, high word first.
@@ -147,7 +144,7 @@ float optics_nearest_critical(float n1, float n2)
 bool total_internal_reflection(float n1, float n2, float cos_i)
 {
     return optics_transmitted_square(optics_clamp_index(n1), optics_clamp_index(n2),
-                                     clamp(cos_i, 0.0, 1.0)) < 0.0;
+                                     optics_limit(cos_i, 0.0, 1.0)) < 0.0;
 }
 
 // The cosine of the critical angle, sqrt(1 - (n2 / n1)^2), rounded up: the least float that is
@@ -193,7 +190,7 @@ float cos_transmitted(float n1, float n2, float cos_i)
 {
     n1 = optics_clamp_index(n1);
     n2 = optics_clamp_index(n2);
-    cos_i = clamp(cos_i, 0.0, 1.0);
+    cos_i = optics_limit(cos_i, 0.0, 1.0);
     if (n1 == n2) {
         return cos_i;
     }
@@ -212,8 +209,9 @@ vec3 reflect_ray(vec3 v, vec3 n)
 
 // The refracted direction, of unit length; the zero vector at total internal reflection; v for
 // equal indices. A normal on the side that v points to is turned round: n1 is always the medium
-// that v travels in; a dot(v, n) from 0 to 4e-7, which rounding alone may make, is grazing. Error in each component: 2e-6 where cos_t > 0.5, 6e-6 where cos_t > 0.1; at
-// the critical angle the rounding of dot(v, n) alone moves the direction by its root, 1e-3.
+// that v travels in; a dot(v, n) from 0 to 4e-7, which rounding alone may make, is grazing.
+// Error in each component: 2e-6 where cos_t > 0.5, 6e-6 where cos_t > 0.1; at the critical angle
+// the rounding of dot(v, n) alone moves the direction by its root, 1e-3.
 // Source: thesis eqs. (17), (18); (n1 cos_i - n2 cos_t) without its cancellation.
 vec3 refract_ray(vec3 v, vec3 n, float n1, float n2)
 {

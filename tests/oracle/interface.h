@@ -123,11 +123,9 @@ struct Interface {
     Big ReflectedS() const { return ReflectedShare(n1 * cos_i, n2 * cos_t); }
     Big ReflectedP() const { return ReflectedShare(n1 * cos_t, n2 * cos_i); }
     Big Reflected() const { return (ReflectedS() + ReflectedP()) / Big(2); }
-    Big Transmitted() const {
-        return (TransmittedShare(n1 * cos_i, n2 * cos_t) +
-                TransmittedShare(n1 * cos_t, n2 * cos_i)) /
-               Big(2);
-    }
+    Big TransmittedS() const { return TransmittedShare(n1 * cos_i, n2 * cos_t); }
+    Big TransmittedP() const { return TransmittedShare(n1 * cos_t, n2 * cos_i); }
+    Big Transmitted() const { return (TransmittedS() + TransmittedP()) / Big(2); }
 
     Big n1;
     Big n2;
