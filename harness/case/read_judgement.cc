@@ -246,7 +246,7 @@ Result<ExpectedFailure> ReadExpectedFailure(const TomlReader& reader, const toml
                                             const std::vector<Law>& laws) {
     ETALON_TRY_STEP(reader.OnlyKeys(
         table, {"device", "recipe", "law", "verdict", "status", "cause", "link", "figure"}));
-    ETALON_TRY(device, reader.TextAt(table, "device", std::nullopt));
+    ETALON_TRY(device, reader.TextAt(table, "device", "*"));
     ETALON_TRY(recipe, reader.TextAt(table, "recipe", "*"));
     ETALON_TRY(law, reader.TextAt(table, "law", ""));
     ETALON_TRY(verdict, reader.TextAt(table, "verdict", "fail"));
