@@ -265,6 +265,14 @@ Result<Case> ReadCase(const std::filesystem::path& root, const std::string& path
     return std::move(read);
 }
 
+void TakeFullCounts(Case& deep) {
+    for (Domain& domain : deep.domains) {
+        for (Input& input : domain.inputs) {
+            input.count = std::max(input.count, input.full);
+        }
+    }
+}
+
 namespace {
 
 // What the rows of an oracle leave a rule to refuse.

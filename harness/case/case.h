@@ -80,6 +80,9 @@ struct Case {
 // The file is cases/PATH.toml below the root; its keys are described in case.cc.
 Result<Case> ReadCase(const std::filesystem::path& root, const std::string& path);
 
+// Makes it the case of a deep run: inputs that have a `full` count take it.
+void TakeFullCounts(Case& deep);
+
 // Fails where an acceptance could refuse nothing: at every row of the expanded domain each of 0,
 // -truth, 2 truth and truth + 1 would pass; or where there is no truth at any row.
 Status<> CheckAcceptance(const Case& checked, const Table& table);

@@ -23,6 +23,7 @@ struct Input {
     std::string sample;   // "bits" (default for a range), "linear", "log", "sphere", "hemisphere"
     std::string against;  // hemisphere: the vector that this one opposes, dot <= 0
     std::uint64_t count = 0;         // samples beside edges, ends and other special values
+    std::uint64_t full = 0;          // the count of a deep run; 0: the same
     std::vector<Expression> edges;   // both sides of each boundary, over the other inputs
     std::optional<Expression> expr;  // computed from the other inputs, rounded to the type
     int line = 0;

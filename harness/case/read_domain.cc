@@ -24,8 +24,8 @@ class InputReader {
         if (IsReservedName(input_.name)) {
             return reader_.Fail(table_, what_ + ": a constant of expressions has this name");
         }
-        ETALON_TRY_STEP(reader_.OnlyKeys(
-            table_, {"type", "values", "range", "sample", "against", "count", "edges", "expr"}));
+        ETALON_TRY_STEP(reader_.OnlyKeys(table_, {"type", "values", "range", "sample", "against",
+                                                  "count", "full", "edges", "expr"}));
         ETALON_TRY_STEP(ReadSample());
         ETALON_TRY_STEP(ReadType());
         ETALON_TRY_STEP(ReadValues());
@@ -137,6 +137,13 @@ class InputReader {
                 return reader_.Fail(*node, What("count") + " is more than 2^24");
             }
         }
+        if (const toml::node* node = table_.get("full")) {
+            ETALON_TRY(full, reader_.Count(*node, What("full")));
+            input_.full = full;
+            if (full < input_.count || full == 0 || full > (1u << 24)) {
+                return reader_.Fail(*node, What("full") + " must be from 'count' to 2^24");
+            }
+        }
         if (const toml::node* node = table_.get("against")) {
             ETALON_TRY(against, reader_.Text(*node, What("against")));
             input_.against = against;
@@ -171,8 +178,9 @@ class InputReader {
             return Fail("'against' belongs to sample = \"hemisphere\"");
         }
         const bool draws = input_.range || IsDirection();
-        if (!draws && (table_.contains("count") || table_.contains("sample"))) {
-            return Fail("'count' and 'sample' belong to a range or a direction");
+        if (!draws &&
+            (table_.contains("count") || table_.contains("full") || table_.contains("sample"))) {
+            return Fail("'count', 'full' and 'sample' belong to a range or a direction");
         }
         if (!input_.edges.empty() && (input_.expr || IsDirection())) {
             return Fail("'edges' belong to values or a range");

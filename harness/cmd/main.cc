@@ -255,6 +255,12 @@ int Main(std::vector<std::string> arguments) {
         ->capture_default_str()
         ->check(Within(1, 1024))
         ->type_name("N");
+    std::string depth = "quick";
+    run->add_option("--depth", depth,
+                    "quick, or full: inputs have their full counts, slow devices all rows")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"quick", "full"}))
+        ->type_name("DEPTH");
     run->add_flag("--verbose", run_choice.verbose, "a line for each test");
     devices.AddTo(*run);
 
@@ -329,6 +335,7 @@ int Main(std::vector<std::string> arguments) {
         return List(root, patterns);
     }
     if (*run) {
+        run_choice.depth = depth == "full" ? Depth::kFull : Depth::kQuick;
         return Run(run_choice, root, devices, json);
     }
     Result<DeviceChoice> choice = devices.Choice();

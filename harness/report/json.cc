@@ -66,14 +66,23 @@ ordered_json ShareJson(const ShareCount& count) {
 }
 
 ordered_json RecordJson(const Record& record) {
-    ordered_json json = {{"case", record.case_path},  {"device", record.device},
-                         {"recipe", record.recipe},   {"family", record.family},
-                         {"covers", record.covers},   {"verdict", VerdictName(record.verdict)},
-                         {"reason", record.reason},   {"seed", record.seed},
-                         {"rows", record.rows},       {"judged", record.judged},
-                         {"refused", record.refused}, {"failed", record.failed},
-                         {"repeat", record.repeat},   {"known_cause", record.known_cause},
-                         {"flake", record.flake},     {"seconds", Number(record.seconds)}};
+    ordered_json json = {{"case", record.case_path},
+                         {"device", record.device},
+                         {"recipe", record.recipe},
+                         {"family", record.family},
+                         {"covers", record.covers},
+                         {"verdict", VerdictName(record.verdict)},
+                         {"reason", record.reason},
+                         {"seed", record.seed},
+                         {"rows", record.rows},
+                         {"all_rows", record.all_rows},
+                         {"judged", record.judged},
+                         {"refused", record.refused},
+                         {"failed", record.failed},
+                         {"repeat", record.repeat},
+                         {"known_cause", record.known_cause},
+                         {"flake", record.flake},
+                         {"seconds", Number(record.seconds)}};
     json["figures"] = ordered_json::array();
     for (const FigureSeen& figure : record.figures) {
         json["figures"].push_back(

@@ -64,7 +64,8 @@ struct Record {
     std::string reason;  // of a skip, crash, timeout, or a rejected program
     std::uint64_t seed = 0;
     std::uint64_t rows = 0;
-    std::uint64_t judged = 0;  // values
+    std::uint64_t all_rows = 0;  // of the case, where a quick run has left out some
+    std::uint64_t judged = 0;    // values
     std::uint64_t refused = 0;
     std::vector<std::string> failed;   // outputs and laws with refused values
     std::vector<ShareCount> shares;    // one for each output that is judged by shares

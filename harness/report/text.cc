@@ -84,14 +84,16 @@ std::string FailureText(const Record& record) {
     if (record.worst && record.refused > 0) {
         const Observation& worst = *record.worst;
         text += format(
-            "\n  refused   {} of {} values ({} rows, seed {}); the worst:"
+            "\n  refused   {} of {} values ({} rows{}, seed {}); the worst:"
             "\n  input     {}\n            {}"
             "\n  output    {}\n  actual    {} = {}\n  expected  {} = {}"
             "\n  error     {} ulp, {} absolute, {} times the tolerance\n  rule      {}",
-            record.refused, record.judged, record.rows, record.seed, InputText(worst, false),
-            InputText(worst, true), worst.output, worst.actual.decimal, worst.actual.hex,
-            worst.expected.decimal, worst.expected.hex, ShortNumber(worst.ulp_error),
-            ShortNumber(worst.error), ShortNumber(worst.used), worst.rule);
+            record.refused, record.judged, record.rows,
+            record.rows < record.all_rows ? format(" of {}", record.all_rows) : "", record.seed,
+            InputText(worst, false), InputText(worst, true), worst.output, worst.actual.decimal,
+            worst.actual.hex, worst.expected.decimal, worst.expected.hex,
+            ShortNumber(worst.ulp_error), ShortNumber(worst.error), ShortNumber(worst.used),
+            worst.rule);
     }
     if (!record.known_cause.empty()) {
         text += "\n  known     " + record.known_cause;

@@ -261,6 +261,7 @@ Record RunCase(const PreparedCase& prepared, Runner& runner, const Recipe& recip
     record.covers = prepared.source.covers;
     record.seed = prepared.source.seed;
     record.rows = prepared.table.rows;
+    record.all_rows = prepared.all_rows;
     Collector collector(prepared, record);
     bool complete = true;
     if (!prepared.judged.empty()) {

@@ -27,6 +27,8 @@ namespace {
 // Rows of a case that are built in where a recipe bakes its inputs: each costs the driver's
 // compiler its own copy.
 constexpr std::uint64_t kBakedRows = 6;
+// Rows that a slow device judges of a case in a quick run.
+constexpr std::uint64_t kSlowRows = 2048;
 
 // One test: a case on a device by a recipe.
 struct Planned {
@@ -34,13 +36,15 @@ struct Planned {
     Runner* runner = nullptr;
     Result<Recipe> recipe;  // as it fits the device; the error is the reason of a skip
     std::string recipe_text;
-    std::string name;  // "suite.test"
+    std::uint64_t rows = 0;  // at most
+    std::string name;        // "suite.test"
 };
 
 // Everything that the tests share while they run.
 struct Shared {
     std::vector<PreparedCase> cases;
-    std::map<std::size_t, PreparedCase> thin;  // of the cases that have a baked recipe
+    // By index and most rows: of the cases that run at some of their rows.
+    std::map<std::pair<std::size_t, std::uint64_t>, PreparedCase> thin;
     DeviceSet devices;
     RepeatContext repeat;
     std::vector<Planned> plan;
@@ -50,8 +54,9 @@ struct Shared {
 
     Record Run(const Planned& planned) const {
         if (planned.recipe) {
+            const auto some = thin.find({planned.case_index, planned.rows});
             const PreparedCase& prepared =
-                planned.recipe->baked ? thin.at(planned.case_index) : cases[planned.case_index];
+                some == thin.end() ? cases[planned.case_index] : some->second;
             return RunCase(prepared, *planned.runner, *planned.recipe, repeat);
         }
         Record skipped;
@@ -146,8 +151,10 @@ void Register(Shared& shared, Planned planned) {
     const std::string suite = shared.cases[planned.case_index].source.path;
     const std::string test = TestName(planned.runner->info().name, planned.recipe_text);
     planned.name = suite + "." + test;
-    if (planned.recipe && planned.recipe->baked && !shared.thin.contains(planned.case_index)) {
-        shared.thin.emplace(planned.case_index, Thin(shared.cases[planned.case_index], kBakedRows));
+    const PreparedCase& prepared = shared.cases[planned.case_index];
+    const std::pair key(planned.case_index, planned.rows);
+    if (planned.recipe && planned.rows < prepared.table.rows && !shared.thin.contains(key)) {
+        shared.thin.emplace(key, Thin(prepared, planned.rows));
     }
     const std::size_t index = shared.plan.size();
     shared.plan.push_back(std::move(planned));
@@ -174,6 +181,29 @@ Result<std::vector<Recipe>> RecipesFor(const Case& source, const std::vector<std
     return recipes;
 }
 
+// Whether the sources compile for fragment shaders only, as those with derivatives do.
+bool NeedsFragment(const PreparedCase& prepared) {
+    return prepared.signature.stage == Stage::kFragment ||
+           std::any_of(prepared.laws.begin(), prepared.laws.end(), [](const PreparedLaw& law) {
+               return law.signature.stage == Stage::kFragment;
+           });
+}
+
+// The most rows at which a case runs. Derivatives are taken between neighbouring rows, which must
+// stay neighbours.
+std::uint64_t MostRows(const PreparedCase& prepared, const Result<Recipe>& recipe,
+                       const DeviceInfo& device, Depth depth) {
+    std::uint64_t rows = prepared.table.rows;
+    if (recipe && recipe->baked) {
+        rows = std::min(rows, kBakedRows);
+    }
+    const bool is_quick = depth == Depth::kQuick && device.slow;
+    if (is_quick && !NeedsFragment(prepared)) {
+        rows = std::min(rows, kSlowRows);
+    }
+    return rows;
+}
+
 // Two wanted recipes may fit a device in the same way; one test is enough.
 Status<> RegisterAll(Shared& shared, const RunChoice& choice) {
     for (std::size_t index = 0; index < shared.cases.size(); ++index) {
@@ -182,14 +212,16 @@ Status<> RegisterAll(Shared& shared, const RunChoice& choice) {
                        RecipesFor(shared.cases[index].source, choice.recipes, runner->info()));
             std::vector<std::string> names;
             for (Recipe recipe : recipes) {
-                if (shared.cases[index].signature.stage == Stage::kFragment) {
+                if (NeedsFragment(shared.cases[index])) {
                     recipe.stage = Stage::kFragment;
                 }
                 const Result<Recipe> fitted = FitRecipe(recipe, runner->info());
                 const std::string name = RecipeText(fitted ? *fitted : recipe);
                 if (std::find(names.begin(), names.end(), name) == names.end()) {
                     names.push_back(name);
-                    Register(shared, {index, runner.get(), fitted, name, ""});
+                    const std::uint64_t rows =
+                        MostRows(shared.cases[index], fitted, runner->info(), choice.depth);
+                    Register(shared, {index, runner.get(), fitted, name, rows, ""});
                 }
             }
         }
@@ -301,6 +333,9 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     static Shared shared;
     for (const std::string& path : paths) {
         ETALON_TRY(source, ReadCase(choice.root, path));
+        if (choice.depth == Depth::kFull) {
+            TakeFullCounts(source);
+        }
         ETALON_TRY(prepared, choice.at.empty() ? Prepare(source) : PrepareAt(source, choice.at));
         shared.cases.push_back(std::move(prepared));
     }
@@ -312,6 +347,9 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     }
     if (!choice.root.empty()) {
         shared.repeat.options += " --root " + ShellWord(choice.root.string());
+    }
+    if (choice.depth == Depth::kFull) {
+        shared.repeat.options += " --depth full";
     }
     if (choice.devices.limits.timeout != WorkerLimits{}.timeout) {
         const double seconds = std::chrono::duration<double>(choice.devices.limits.timeout).count();

@@ -1,6 +1,7 @@
 // The conformance run: case x device x recipe is one GoogleTest test.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -11,6 +12,10 @@
 
 namespace etalon {
 
+// How much of the cases a run takes: under kFull inputs have their full counts, and slow devices
+// all rows.
+enum class Depth : std::uint8_t { kQuick, kFull };
+
 struct RunChoice {
     std::filesystem::path root;  // holds cases/
     std::vector<std::string>
@@ -18,6 +23,7 @@ struct RunChoice {
     std::vector<std::string> recipes;  // empty: the case's own, else the device's default set
     std::string at;                    // run at this one input only
     DeviceChoice devices;
+    Depth depth = Depth::kQuick;
     unsigned jobs = 1;                         // devices at work at the same time
     std::vector<std::string> gtest_arguments;  // "--gtest_..." flags
     bool verbose = false;                      // a line per test

@@ -214,6 +214,7 @@ Result<PreparedCase> PrepareWith(const Case& source, Table table) {
     PreparedCase prepared;
     prepared.source = source;
     prepared.table = std::move(table);
+    prepared.all_rows = prepared.table.rows;
     ETALON_TRY(call, CallOf(source, prepared.table));
     prepared.call = std::move(call);
     if (!source.expectations.empty()) {

@@ -41,6 +41,7 @@ struct PreparedCase {
     std::vector<JudgedColumn> judged;  // empty where the case has laws only
     std::vector<PreparedLaw> laws;
     Extent extent = Extent::kAll;
+    std::uint64_t all_rows = 0;  // from which the table's were chosen
 };
 
 // Reads what the case names, expands its domain, finds types and truths. Every mistake in the case

@@ -48,7 +48,8 @@ void Fields(auto& archive, Is<Program> auto& program) {
 }
 void Fields(auto& archive, Is<DeviceInfo> auto& info) {
     archive(info.name, info.description, info.driver, info.version, info.api, info.compiler,
-            info.features, info.float_controls, info.glsl_version, info.max_rows, info.siblings);
+            info.features, info.float_controls, info.glsl_version, info.max_rows, info.siblings,
+            info.slow);
 }
 void Fields(auto& archive, Is<DeviceFailure> auto& failure) {
     archive(failure.kind, failure.reason);

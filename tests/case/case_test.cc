@@ -204,7 +204,11 @@ TEST_F(CaseTest, RefusesWrongInputs) {
     EXPECT_EQ(input("{ }"), at + ": needs exactly one of values, range, sample = \"sphere\" or "
                                  "\"hemisphere\", and expr");
     EXPECT_THAT(input("{ values = [1], expr = \"1\" }"), HasSubstr("exactly one of"));
-    EXPECT_THAT(input("{ values = [1], count = 3 }"), HasSubstr("'count' and 'sample' belong to"));
+    EXPECT_THAT(input("{ values = [1], count = 3 }"),
+                HasSubstr("'count', 'full' and 'sample' belong to"));
+    EXPECT_EQ(input("{ range = [0, 1], count = 2, full = 1 }"),
+              at + ": 'full' must be from 'count' to 2^24");
+    EXPECT_THAT(input("{ values = [1], full = 3 }"), HasSubstr("'count', 'full' and 'sample'"));
     EXPECT_THAT(input("{ expr = \"1\", edges = [1] }"), HasSubstr("'edges' belong to"));
     EXPECT_EQ(input("{ range = [0, 1], count = 1, sample = \"cubic\" }"),
               at + ": 'sample' must be bits, linear, log, sphere or hemisphere");
@@ -364,6 +368,18 @@ TEST_F(CaseTest, RefusesWrongLawsAndFailures) {
               "cases/x.toml:14: 'figure' is of a failure by numbers, not of a crash");
     EXPECT_EQ(failure(device + "statsu = \"bug\""),
               "cases/x.toml:11: unknown key 'statsu'; did you mean 'status'?");
+}
+
+TEST_F(CaseTest, TakesFullCountsWhereTheyAreGiven) {
+    auto read = Read(
+        "source = \"s\"\ncall = \"f(x)\"\noracle = \"x\"\naccept = { ulp = 1 }\n"
+        "[domain]\nx = { range = [1, 2], count = 5, full = 90 }\n"
+        "y = { range = [1, 2], count = 7 }\n");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->domains[0].inputs[0].count, 5u);
+    TakeFullCounts(*read);
+    EXPECT_EQ(read->domains[0].inputs[0].count, 90u);
+    EXPECT_EQ(read->domains[0].inputs[1].count, 7u);
 }
 
 TEST_F(CaseTest, ReadsCovers) {

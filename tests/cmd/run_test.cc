@@ -80,6 +80,37 @@ TEST_F(RunTest, HelpTellsOfEverySubcommand) {
     EXPECT_THAT(version.out, testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 
+TEST_F(RunTest, DepthDecidesOnTheRows) {
+    folder_.Write("cases/deep.toml",
+                  "source = \"f.glsl\"\ncall = \"same(x)\"\noracle = \"x\"\n"
+                  "accept = { ulp = 1 }\nrecipes = [\"glsl\"]\n[domain]\n"
+                  "x = { range = [1.0, 2.0], sample = \"linear\", count = 5000, full = 9000 }\n");
+    const auto rows = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"run", "deep",      "-d",     "null:echo",
+                                          "-d",  "null:slow", "--json", "r.json"};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(Etalon(words).status, 0);
+        std::vector<std::vector<int>> all;
+        const json read = json::parse(folder_.Read("r.json"), nullptr, false);
+        for (const json& record : read["records"]) {
+            all.push_back({record["rows"], record["all_rows"]});
+        }
+        return all;
+    };
+    const auto quick = rows({});
+    ASSERT_EQ(quick.size(), 2u);
+    const int all = quick[0][1];
+    EXPECT_GE(all, 5000);
+    EXPECT_LT(all, 5100);
+    EXPECT_EQ(quick, (std::vector<std::vector<int>>{{all, all}, {2048, all}}));
+    EXPECT_EQ(rows({"--depth", "quick"}), quick);
+    const auto full = rows({"--depth", "full"});
+    ASSERT_EQ(full.size(), 2u);
+    EXPECT_GE(full[0][0], 9000);
+    EXPECT_EQ(full[1], full[0]);
+    EXPECT_EQ(full[1][0], full[1][1]);
+}
+
 TEST_F(RunTest, ListNamesCasesByPrefixAndPattern) {
     EXPECT_EQ(Etalon({"list"}).out, "a/one\na/two\nab\nb/one\nwrong\n");
     EXPECT_EQ(Etalon({"list", "a"}).out, "a/one\na/two\n");

@@ -35,7 +35,7 @@ TEST(RunJson, ReadsBack) {
     ASSERT_EQ(read["records"].size(), 3u);
     EXPECT_EQ(read["records"][0], json::parse(R"({
         "case": "optics/fresnel", "device": "osmesa:llvmpipe", "recipe": "glsl", "family": "",
-        "covers": ["F4", "D14"], "verdict": "pass", "reason": "", "seed": 7, "rows": 100, "judged": 300, "refused": 0,
+        "covers": ["F4", "D14"], "verdict": "pass", "reason": "", "seed": 7, "rows": 100, "all_rows": 100, "judged": 300, "refused": 0,
         "failed": [], "repeat": "etalon run optics/fresnel --at 'n1=0x1.8p+0,steps=3'",
         "known_cause": "", "figures": [], "flake": "", "seconds": 0.125,
         "worst": {"output": "result.x", "rule": "ulp 16 or absolute 1e-09",

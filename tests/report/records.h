@@ -39,6 +39,7 @@ inline Record Passed() {
     record.covers = {"F4", "D14"};
     record.seed = 7;
     record.rows = 100;
+    record.all_rows = 100;
     record.judged = 300;
     Observation worst;
     worst.output = "result.x";

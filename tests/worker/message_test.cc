@@ -67,6 +67,7 @@ TEST(Message, CarriesAnswers) {
     info.float_controls = {"RoundingModeRTE"};
     info.glsl_version = 450;
     info.siblings = 3;
+    info.slow = true;
     const auto answer = DecodeAnswer<DeviceInfo>(Body(EncodeAnswer<DeviceInfo>(info)));
     ASSERT_TRUE(answer && answer->ok());
     EXPECT_EQ((*answer)->name, "vulkan:x");
@@ -74,6 +75,7 @@ TEST(Message, CarriesAnswers) {
     EXPECT_THAT((*answer)->features, ElementsAre("compute", "float64"));
     EXPECT_THAT((*answer)->float_controls, ElementsAre("RoundingModeRTE"));
     EXPECT_EQ((*answer)->siblings, 3u);
+    EXPECT_TRUE((*answer)->slow);
 
     const auto refusal = DecodeAnswer<Nothing>(Body(EncodeAnswer<Nothing>(
         DeviceFailure{DeviceFailure::Kind::kRejected, "0:1: no\n\x1b[31m\xff"})));

@@ -112,6 +112,7 @@ DeviceInfo DescribeContext(const GlFunctions& gl) {
     }
     if (info.description.starts_with("softpipe")) {
         info.max_rows = kSoftpipeRows;
+        info.slow = true;
     }
     return info;
 }

@@ -55,18 +55,16 @@ struct Behaviour {
     bool once = false;  // not in the worker that tries again
 };
 
+// As echo; what it is like to be slow, Etalon takes from the device's word.
+constexpr std::string_view kSlow = "slow";
+
 constexpr Behaviour kBehaviours[] = {
-    {"echo", Moment::kNever, nullptr},
-    {"crash", Moment::kRun, Crash},
-    {"crash-once", Moment::kRun, Crash, true},
-    {"crash-load", Moment::kLoad, Crash},
-    {"crash-open", Moment::kOpen, Crash},
-    {"hang", Moment::kRun, Hang},
-    {"hang-once", Moment::kRun, Hang, true},
-    {"memory", Moment::kRun, EatMemory},
-    {"lost", Moment::kRun, Lose},
-    {"rejects", Moment::kLoad, Reject},
-    {"unsupported", Moment::kLoad, Decline},
+    {"echo", Moment::kNever, nullptr},    {kSlow, Moment::kNever, nullptr},
+    {"crash", Moment::kRun, Crash},       {"crash-once", Moment::kRun, Crash, true},
+    {"crash-load", Moment::kLoad, Crash}, {"crash-open", Moment::kOpen, Crash},
+    {"hang", Moment::kRun, Hang},         {"hang-once", Moment::kRun, Hang, true},
+    {"memory", Moment::kRun, EatMemory},  {"lost", Moment::kRun, Lose},
+    {"rejects", Moment::kLoad, Reject},   {"unsupported", Moment::kLoad, Decline},
 };
 
 class NullDevice : public Device {
@@ -83,6 +81,7 @@ class NullDevice : public Device {
         info_.api = "none";
         info_.features = {"compute", "fragment", "spirv", "glsl"};
         info_.glsl_version = 450;
+        info_.slow = behaviour.name == kSlow;
     }
 
     const DeviceInfo& info() const override { return info_; }
