@@ -105,6 +105,10 @@ bool IsBuiltIn(std::string_view word) {
     return std::find(kBuiltIns.begin(), kBuiltIns.end(), word) != kBuiltIns.end();
 }
 
+bool IsCapitalOrDigit(char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
 bool IsWordCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
@@ -221,15 +225,31 @@ struct Uniforms {
     bool is_opaque = false;               // samplers and the like
 };
 
+// sampler2D, usamplerCube, image2D, texture2D, subpassInput, sampler, atomic_uint
+bool IsOpaque(std::string_view type) {
+    if (type == "atomic_uint") {
+        return true;
+    }
+    type.remove_prefix(type.starts_with('i') && !type.starts_with("image") ? 1 : 0);
+    type.remove_prefix(type.starts_with('u') ? 1 : 0);
+    for (const std::string_view kind : {"sampler", "image", "texture", "subpass"}) {
+        const std::string_view rest = type.substr(type.starts_with(kind) ? kind.size() : 0);
+        if (type.starts_with(kind) && (rest.empty() || IsCapitalOrDigit(rest.front()))) {
+            return true;
+        }
+    }
+    return false;
+}
+
 Uniforms ReadUniforms(const std::vector<std::string_view>& tokens) {
     Uniforms uniforms;
     int depth = 0;
     bool is_named = false;  // the present declarator has told its name
     std::string_view last;
     for (const std::string_view token : tokens) {
-        for (const char* kind : {"sampler", "image", "atomic", "texture", "subpass"}) {
-            uniforms.is_opaque = uniforms.is_opaque || token.find(kind) != std::string_view::npos;
-        }
+        // What stands before a name or a size may be a type; a name may be any word.
+        const bool is_behind = IsWordCharacter(token.front()) || token == "[";
+        uniforms.is_opaque = uniforms.is_opaque || (is_behind && IsOpaque(last));
         if (depth == 0 && !is_named && (token == "[" || token == "=" || token == ",")) {
             uniforms.names.emplace_back(last);
             is_named = true;

@@ -7,6 +7,7 @@
 #include "oracle/intensity.h"
 #include "oracle/layered.h"
 #include "oracle/plane.h"
+#include "oracle/relief.h"
 #include "oracle/relief_fields.h"
 #include "oracle/relief_layers.h"
 #include "oracle/relief_texels.h"
@@ -25,6 +26,7 @@ const std::vector<Function>& Functions() {
                  IntensityFunctions(),
                  LayeredFunctions(),
                  PlaneFunctions(),
+                 ReliefFunctions(),
                  ReliefFieldFunctions(),
                  ReliefLayerFunctions(),
                  ReliefTexelFunctions(),

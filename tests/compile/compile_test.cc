@@ -324,6 +324,17 @@ TEST_F(CompileTest, InputsSetUniformsOfTheirNames) {
                 HasSubstr("uniforms.glsl:1: uniform 'other' has no value"));
 }
 
+TEST_F(CompileTest, AUniformMayBeNamedAfterATexture) {
+    const auto source =
+        Write("named.glsl",
+              "uniform float texture_per_height, image_gain;\nuniform vec2 sampler_size[2];\n"
+              "float f(float x) { return x * texture_per_height * image_gain; }\n");
+    const Call call = MakeCall(
+        source, "f(x)",
+        {kX, {"texture_per_height", "float", true, false}, {"image_gain", "float", true, false}});
+    EXPECT_EQ(CompileError(call, "spirv"), "");
+}
+
 TEST_F(CompileTest, OnlyAPlainSamplerTakesAnImage) {
     for (const char* kind :
          {"sampler3D", "isamplerCube", "isampler2D", "sampler2DArray", "sampler2DShadow"}) {
@@ -331,7 +342,8 @@ TEST_F(CompileTest, OnlyAPlainSamplerTakesAnImage) {
                                  " tex;\nfloat f() { return float(textureSize(tex, 0).x); }\n";
         Call call = MakeCall(Write("kind.glsl", text), "f()");
         call.images = {{"tex", std::make_shared<Image>(Image{1, 1, {0, 0, 0, 0}})}};
-        EXPECT_THAT(CompileError(call, "spirv"), HasSubstr("is no plain sampler2D or samplerCube")) << kind;
+        EXPECT_THAT(CompileError(call, "spirv"), HasSubstr("is no plain sampler2D or samplerCube"))
+            << kind;
     }
 }
 

@@ -27,6 +27,12 @@ class Big {
         return result;
     }
 
+    static Big Pi() {
+        Big result;
+        mpfr_const_pi(result.value_, MPFR_RNDN);
+        return result;
+    }
+
     double ToDouble() const { return mpfr_get_d(value_, MPFR_RNDN); }
 
     friend Big operator+(const Big& a, const Big& b) { return Apply(mpfr_add, a, b); }
@@ -42,6 +48,12 @@ class Big {
     friend Big Expm1(const Big& a) { return Apply(mpfr_expm1, a); }
     friend Big Exp2(const Big& a) { return Apply(mpfr_exp2, a); }
     friend Big BesselJ1(const Big& a) { return Apply(mpfr_j1, a); }
+    friend Big Sin(const Big& a) { return Apply(mpfr_sin, a); }
+    friend Big Floor(const Big& a) {
+        Big result;
+        mpfr_floor(result.value_, a.value_);
+        return result;
+    }
     friend Big Abs(const Big& a) { return Apply(mpfr_abs, a); }
 
   private:
