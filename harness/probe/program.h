@@ -42,7 +42,7 @@ enum class Form : std::uint8_t { kGlsl, kSpirv };
 struct BoundImage {
     std::string name;  // of the sampler2D or samplerCube in the source
     std::shared_ptr<const Image> image;
-    Sampling sampling;
+    Sampling sampling = {};
 };
 
 struct Program {
