@@ -7,6 +7,11 @@
 #ifndef ETALON_SCENE_FETCHES
 #define ETALON_SCENE_FETCHES
 
+#ifdef GL_ES
+precision highp float;
+precision highp int;
+#endif
+
 int fetch_count = 0;
 
 void count_fetch()

@@ -4,12 +4,20 @@
 #ifndef ETALON_SCENE_TEXEL_HEIGHT
 #define ETALON_SCENE_TEXEL_HEIGHT
 
+#ifdef GL_ES
+precision highp float;
+precision highp int;
+#endif
+
 float texel_height(highp sampler2D map, vec2 uv)
 {
     vec2 size = vec2(textureSize(map, 0));
-    vec2 place = uv * size - 0.5;
-    vec2 cell = floor(place);
-    vec2 within = place - cell;
+    // floor and fract of uv * size - 0.5, without its rounding.
+    vec2 place = uv * size;
+    vec2 part = place - floor(place);
+    vec2 upper_half = step(0.5, part);
+    vec2 cell = floor(place) + upper_half - 1.0;
+    vec2 within = (part - upper_half) + 0.5;
     vec2 first = fract((cell + 0.5) / size);
     vec2 second = fract((cell + 1.5) / size);
     float h00 = textureLod(map, first, 0.0).x;

@@ -1,4 +1,11 @@
-// A solid layer of texels: solid_map holds heights as z in the box.
+// A solid layer of texels, solid_map, whose first channel is z; the oracles relief.hit_smooth and so
+// on. The translucent layer is the box's floor, and costs no fetch.
+
+#ifdef GL_ES
+precision highp float;
+precision highp int;
+#endif
+
 #include "fetches.glsl"
 #include "texel_height.glsl"
 
@@ -8,4 +15,9 @@ float solid_height(vec2 uv)
 {
     count_fetch();
     return texel_height(solid_map, uv);
+}
+
+float translucent_height(vec2 uv)
+{
+    return -0.5;
 }

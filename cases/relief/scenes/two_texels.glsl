@@ -1,4 +1,11 @@
-// Two layers of texels: solid_map and translucent_map hold heights as z in the box.
+// Two layers of texels, whose maps' first channel is z; the oracle is
+// relief.first(relief.hit_film(...), relief.hit_bricks(...)), for any two fields.
+
+#ifdef GL_ES
+precision highp float;
+precision highp int;
+#endif
+
 #include "fetches.glsl"
 #include "texel_height.glsl"
 
