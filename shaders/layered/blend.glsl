@@ -1,17 +1,20 @@
 // How the colours of two layers and of the mirrored environment become one.
 //
-// Colours are limited to 0..65504 in each channel and shares to 0..1; a NaN counts as 0. No input
-// yields NaN or infinity. Where no colour is above one, none that is returned is.
+// Colours are limited to 0..65504 in each channel and shares to 0..1, a NaN to the
+// limit on the side of its sign. No input yields NaN or infinity. Where no colour is above one, none that is returned is.
 #ifndef ETALON_LAYERED_BLEND
 #define ETALON_LAYERED_BLEND
 
 #include "../optics/fresnel.glsl"
-#include "finite.glsl"
+
+// The largest number of a 16-bit float.
+const float LAYERED_BRIGHTEST = 65504.0;
 
 // The share of `inner` is `share`, that of `outer` the rest.
 vec3 layered_mix(vec3 outer, vec3 inner, float share)
 {
-    return layered_light(outer) * (1.0 - share) + layered_light(inner) * share;
+    return optics_limit(outer, 0.0, LAYERED_BRIGHTEST) * (1.0 - share) +
+           optics_limit(inner, 0.0, LAYERED_BRIGHTEST) * share;
 }
 
 // Outer and inner layer by the transparency of the outer one and the cosine between normal and eye:
@@ -21,7 +24,7 @@ vec3 layered_mix(vec3 outer, vec3 inner, float share)
 vec3 blend_layers(vec3 outer, vec3 inner, float transparency, float n_dot_v)
 {
     return layered_mix(outer, inner,
-                       layered_positive(transparency, 1.0) * layered_positive(n_dot_v, 1.0));
+                       optics_limit(transparency, 0.0, 1.0) * optics_limit(n_dot_v, 0.0, 1.0));
 }
 
 // As above by physics: the inner layer's share is transparency * T, with the share T of the light
@@ -31,10 +34,8 @@ vec3 blend_layers(vec3 outer, vec3 inner, float transparency, float n_dot_v)
 vec3 blend_layers_fresnel(vec3 outer, vec3 inner, float transparency, float n1, float n2,
                           float n_dot_v)
 {
-    float passed = fresnel_transmittance(layered_positive(n1, 1024.0),
-                                         layered_positive(n2, 1024.0),
-                                         layered_positive(n_dot_v, 1.0));
-    return layered_mix(outer, inner, layered_positive(transparency, 1.0) * passed);
+    float passed = fresnel_transmittance(n1, n2, n_dot_v);
+    return layered_mix(outer, inner, optics_limit(transparency, 0.0, 1.0) * passed);
 }
 
 // The light that leaves the surface: the mirrored environment by the share that is mirrored, the
@@ -43,8 +44,8 @@ vec3 blend_layers_fresnel(vec3 outer, vec3 inner, float transparency, float n1, 
 // Source: Oat, end of the second listing; the shares, which keep the sum within one, are ours.
 vec3 light_layers(vec3 base, float n_dot_l, vec3 specular, float reflectance)
 {
-    return layered_mix(layered_light(base) * layered_positive(n_dot_l, 1.0), specular,
-                       layered_positive(reflectance, 1.0));
+    return layered_mix(optics_limit(base, 0.0, LAYERED_BRIGHTEST) * optics_limit(n_dot_l, 0.0, 1.0), specular,
+                       optics_limit(reflectance, 0.0, 1.0));
 }
 
 #endif

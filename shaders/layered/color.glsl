@@ -22,12 +22,10 @@ vec3 layered_color(vec2 uv, vec3 to_eye, vec3 to_light, vec3 normal, vec4 outer,
     to_eye = layered_unit(to_eye, up);
     to_light = layered_unit(to_light, up);
     normal = layered_unit(normal, up);
-    n1 = layered_positive(n1, 1024.0);
-    n2 = layered_positive(n2, 1024.0);
     float cosine = clamp(dot(normal, to_eye), 0.0, 1.0);
 
     vec3 transmission = transmission_vector(to_eye, normal, n1, n2);
-    float longest = LAYERED_LONGEST * layered_positive(d, 1e9);
+    float longest = LAYERED_LONGEST * optics_limit(d, 0.0, 1e9);
     float s = transmission_distance(d, transmission, longest);
     vec3 inner = growable_filter_rgb(offset_coordinate(uv, s, transmission, texel_size),
                                      texel_size, blur_radius(s, 1.0));

@@ -2,22 +2,22 @@
 // layer.
 //
 // Tangent space: z points out of the surface, v to the eye, n is the surface's normal. Directions
-// need no unit length; a zero vector, or one of NaN alone, counts as (0, 0, 1). Lengths (depth d,
-// way s) share one unit, the article's is the texel. n1 is the index outside, n2 the one between
-// the layers. No input yields NaN or infinity.
+// need no unit length; a zero vector counts as (0, 0, 1). Lengths (depth d, way s) share one unit,
+// the article's is the texel. n1 is the index outside, n2 the one between the layers. A NaN counts
+// as the limit on the side of its sign. No input yields NaN or infinity.
 #ifndef ETALON_LAYERED_TRANSMISSION
 #define ETALON_LAYERED_TRANSMISSION
 
 #include "../optics/snell.glsl"
-#include "finite.glsl"
+#include "unit.glsl"
 
-// The direction to the eye, mirrored at the normal, of the length of v where n has unit length. A
-// component that is NaN counts as 0; others are limited to +-2^40. Error: 5e-7.
-// Costs the published form's arithmetic and a comparison for each component.
+// The direction to the eye, mirrored at the normal, of the length of v where n has unit length.
+// Components are limited to +-2^40. Error: 5e-7 of that length.
+// Costs the published form's arithmetic and the limits.
 // Source: Oat, equation (1), first row.
 vec3 mirrored_vector(vec3 v, vec3 n)
 {
-    return reflect_ray(-layered_finite(v, 1099511627776.0), layered_finite(n, 1099511627776.0));
+    return reflect_ray(-v, n);
 }
 
 // The unit direction of sight below the surface, bent by Snell's law. A normal that faces away from
@@ -39,7 +39,7 @@ vec3 transmission_vector(vec3 v, vec3 n, float n1, float n2)
         n = dot(n, n) > 1e-6 ? normalize(n) : up;
         n -= min(dot(n, v), 0.0) * v;
     }
-    return refract_ray(-v, n, layered_positive(n1, 1024.0), layered_positive(n2, 1024.0));
+    return refract_ray(-v, n, n1, n2);
 }
 
 // The way along the unit direction T to a layer at the depth d, d / -T.z, and `longest` at most;
@@ -48,9 +48,9 @@ vec3 transmission_vector(vec3 v, vec3 n, float n1, float n2)
 // Source: Oat, equation (1), third row; the limit and the sign of T.z are ours.
 float transmission_distance(float d, vec3 transmission, float longest)
 {
-    d = layered_positive(d, 1e18);
-    longest = layered_positive(longest, 1e18);
-    float down = layered_positive(-transmission.z, 1.0);
+    d = optics_limit(d, 0.0, 1e18);
+    longest = optics_limit(longest, 0.0, 1e18);
+    float down = optics_limit(-transmission.z, 0.0, 1.0);
     return d < longest * down ? d / down : (d > 0.0 ? longest : 0.0);
 }
 
@@ -61,15 +61,17 @@ float transmission_distance(float d, vec3 transmission, float longest)
 // Source: Oat, equation (1), fourth row.
 vec2 offset_coordinate(vec2 uv, float s, vec3 transmission, vec2 unit_size)
 {
-    vec2 size = vec2(layered_positive(unit_size.x, 1024.0), layered_positive(unit_size.y, 1024.0));
-    vec2 along = layered_finite(transmission.xy, 1.0);
-    return layered_finite(uv, 65536.0) + size * (layered_positive(s, 65536.0) * along);
+    vec2 size = vec2(optics_limit(unit_size.x, 0.0, 1024.0),
+                     optics_limit(unit_size.y, 0.0, 1024.0));
+    vec2 along = optics_limit(transmission.xy, 1.0);
+    return optics_limit(uv, 65536.0) + size * (optics_limit(s, 0.0, 65536.0) * along);
 }
 
-// From a point of the surface to the point of the layer at depth d that is seen there: xy the offset
-// along the surface, z the way between them, in the unit of d; the way is `longest` at most, and the
-// offset then shorter in proportion. Flat surface: the offset is -d v.xy / v.z for equal indices,
-// (0, 0) from above. Mirrored with v and n. Error: 1e-5 d where T.z < -0.1.
+// From a point of the surface to the point of the layer at depth d that is seen there: xy the
+// offset along the surface, z the way between them, in the unit of d; the way is `longest` at most,
+// and the offset then shorter in proportion. Flat surface: the offset is -d v.xy / v.z for equal
+// indices, (0, 0) from above. Mirrored with v and n. Error: 1e-5 (d + s) where T.z < -0.1 and the
+// refracted cosine is above 0.1.
 // Source: Oat, equation (1), with the refracted T.
 vec3 layer_way(vec3 v, vec3 n, float n1, float n2, float d, float longest)
 {

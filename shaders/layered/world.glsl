@@ -2,7 +2,7 @@
 #ifndef ETALON_LAYERED_WORLD
 #define ETALON_LAYERED_WORLD
 
-#include "finite.glsl"
+#include "unit.glsl"
 
 // v turned by the rows tangent, binormal and normal of the interpolated inverse tangent space: (the
 // rows' scalar products with v). Interpolation leaves rows that are short and not square on each
@@ -14,7 +14,7 @@
 // Source: Oat, second listing, where the rows are taken as they come.
 vec3 tangent_to_world(vec3 v, vec3 tangent, vec3 binormal, vec3 normal)
 {
-    v = layered_finite(v, 1e18);
+    v = optics_limit(v, 1e18);
     vec3 third = layered_unit(normal, vec3(0.0, 0.0, 1.0));
     vec3 first = layered_unit(tangent, vec3(1.0, 0.0, 0.0));
     first -= dot(first, third) * third;
@@ -26,7 +26,7 @@ vec3 tangent_to_world(vec3 v, vec3 tangent, vec3 binormal, vec3 normal)
     // Near-parallel rows leave the first inexact along the third.
     first = normalize(first - dot(first, third) * third);
     vec3 second = cross(third, first);
-    if (dot(second, layered_finite(binormal, 1e18)) < 0.0) {
+    if (dot(second, optics_limit(binormal, 1e18)) < 0.0) {
         second = -second;
     }
     return vec3(dot(first, v), dot(second, v), dot(third, v));
