@@ -21,13 +21,13 @@ float index_of_refraction(float vacuum_speed, float speed)
 }
 
 // Eq. (6), solved for a3. Undefined beyond the critical angle: the arcsine has no value. Error: the
-// driver's sin and asin, 4e-4 and more.
+// driver's sin and asin: 4e-4 on Mesa, 1.3e-3 on SwiftShader.
 float refracted_angle(float n1, float n2, float angle)
 {
     return asin(n1 / n2 * sin(angle));
 }
 
-// Eq. (8): the angle of incidence from which on no light passes; n1 > n2. Error: the driver's asin.
+// Eq. (8): the angle of incidence from which on no light passes; n1 > n2. Error: the driver's asin, 4e-4 on Mesa.
 float critical_angle(float n1, float n2)
 {
     return asin(n2 / n1);
@@ -40,7 +40,7 @@ float critical_refracted_angle(float n1, float n2)
 }
 
 // Eq. (19). Undefined beyond the critical angle, where the radicand is negative; cancels near it.
-// Error: 8 ulp for n1 <= n2 and cos_i > 0.1.
+// Error: 4 ulp where cos_t > 0.5.
 float cos_transmitted(float n1, float n2, float cos_i)
 {
     float ratio = n1 / n2;
@@ -78,14 +78,16 @@ vec2 fresnel_reflectance_sp(float n1, float n2, float cos_i)
     return quotient * quotient;
 }
 
-// Eq. (11). Error: 4e-7 absolute for n1 < n2; relative as stated above.
+// Eq. (11). Error: 12 ulp from air into indices of 1.33 to 2.42; 0.7 of itself where the indices
+// differ by 2^-22, 1.1e-3 within 1e-6 of the critical cosine of glass.
 float fresnel_reflectance(float n1, float n2, float cos_i)
 {
     vec2 shares = fresnel_reflectance_sp(n1, n2, cos_i);
     return (shares.x + shares.y) / 2.0;
 }
 
-// Eq. (12): 1 - R, which cancels where R is near 1, at grazing angles.
+// Eq. (12): 1 - R, which cancels where R is near 1, at grazing angles. Error: 8 ulp where
+// cos_i > 0.1, 0.19 of itself at 1e-7, all of it at 1.85e-8.
 float fresnel_transmittance(float n1, float n2, float cos_i)
 {
     return 1.0 - fresnel_reflectance(n1, n2, cos_i);
@@ -104,7 +106,8 @@ vec3 reflect_ray_cosine(vec3 v, vec3 n, float cos_i)
     return v + 2.0 * cos_i * n;
 }
 
-// Eq. (17): right where n opposes v. Undefined at total internal reflection.
+// Eq. (17): right where n opposes v. Undefined at total internal reflection. Error in each
+// component: 3e-7 where cos_t > 0.3.
 vec3 refract_ray_dot(vec3 v, vec3 n, float n1, float n2)
 {
     float along = dot(v, n);
@@ -166,7 +169,7 @@ float layer_crossing_intensity(vec3 normal, vec3 light_dir, float n1, float n2)
 }
 
 // Eq. (13): the absorbed share over d, of which half_distance absorbs half. Cancels for short ways.
-// Error: 1.2e-7 and that of pow.
+// Error: 1.3e-7.
 float absorbed_fraction(float d, float half_distance)
 {
     return 1.0 - pow(0.5, d / half_distance);
