@@ -57,20 +57,23 @@ int steps_for_distance(float texels_per_pixel, int steps)
 ReliefBracket search_bracket_by_density(ReliefRay ray, int layers, int steps)
 {
     int count = relief_steps(steps);
-    ReliefBracket bracket;
-    bracket.t_above = 0.0;
-    bracket.above = relief_gaps(ray, 0.0, layers);
-    bracket.t_below = 0.0;
-    bracket.below = bracket.above;
-    for (int i = 1; i <= count && bracket.t_below < ray.end &&
-                    relief_met(bracket.below) == RELIEF_NONE;
-         ++i) {
-        float share = step_density(relief_position(ray, bracket.t_below).xy) * float(count);
+    vec2 gaps = relief_gaps(ray, 0.0, layers);
+    ReliefBracket bracket = ReliefBracket(0.0, 0.0, gaps, gaps);
+    if (relief_met(gaps) != RELIEF_NONE) {
+        return bracket;
+    }
+    for (int i = 1; i <= count; ++i) {
+        float share = step_density(relief_position(ray, bracket.t_above).xy) * float(count);
         float divisor = share < float(count) ? max(share, 1.0) : float(count);
-        bracket.t_above = bracket.t_below;
-        bracket.above = bracket.below;
-        bracket.t_below = i < count ? min(bracket.t_above + ray.end / divisor, ray.end) : ray.end;
-        bracket.below = relief_gaps(ray, bracket.t_below, layers);
+        float t = i < count ? min(bracket.t_above + ray.end / divisor, ray.end) : ray.end;
+        gaps = relief_gaps(ray, t, layers);
+        bracket.t_below = t;
+        bracket.below = gaps;
+        if (relief_met(gaps) != RELIEF_NONE || t >= ray.end) {
+            break;
+        }
+        bracket.t_above = t;
+        bracket.above = gaps;
     }
     return bracket;
 }

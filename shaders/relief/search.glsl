@@ -92,16 +92,23 @@ ReliefBracket search_bracket(ReliefRay ray, int layers, int steps)
 {
     int count = relief_steps(steps);
     float way = ray.end / float(count);
-    ReliefBracket bracket;
-    bracket.t_above = 0.0;
-    bracket.above = relief_gaps(ray, 0.0, layers);
-    bracket.t_below = 0.0;
-    bracket.below = bracket.above;
-    for (int i = 1; i <= count && relief_met(bracket.below) == RELIEF_NONE; ++i) {
-        bracket.t_above = bracket.t_below;
-        bracket.above = bracket.below;
-        bracket.t_below = i < count ? float(i) * way : ray.end;
-        bracket.below = relief_gaps(ray, bracket.t_below, layers);
+    vec2 gaps = relief_gaps(ray, 0.0, layers);
+    ReliefBracket bracket = ReliefBracket(0.0, 0.0, gaps, gaps);
+    if (relief_met(gaps) != RELIEF_NONE) {
+        return bracket;
+    }
+    // Handing the old end on (above = below) would be shorter, but llvmpipe (Mesa 22.3) then loses
+    // it where neighbouring rays leave the loop at different steps.
+    for (int i = 1; i <= count; ++i) {
+        float t = i < count ? float(i) * way : ray.end;
+        gaps = relief_gaps(ray, t, layers);
+        bracket.t_below = t;
+        bracket.below = gaps;
+        if (relief_met(gaps) != RELIEF_NONE) {
+            break;
+        }
+        bracket.t_above = t;
+        bracket.above = gaps;
     }
     return bracket;
 }
