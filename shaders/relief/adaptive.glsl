@@ -1,5 +1,9 @@
 // How many steps a linear search needs: by the map's texels, its roughness, the ray's angle, the
-// distance, or a map of densities. Counts are 1 .. RELIEF_MAX_STEPS for any input.
+// distance, or a map of densities (thesis 2.3.1). Counts are 1 .. RELIEF_MAX_STEPS for any input.
+//
+// Two steps a texel, 6 bisections and a secant step take 0.6, 0.4, 1.2 and 0.6 % of the rays on
+// bricks at 0-45, 45-70, 70-85 and 85-89 degrees for another hit (24 steps: 0.4, 2.2, 12.8, 48 %),
+// six a texel 7.8 % on ridges one texel wide at 70-85 (24 steps: 63.6 %).
 #ifndef ETALON_RELIEF_ADAPTIVE
 #define ETALON_RELIEF_ADAPTIVE
 
