@@ -1,9 +1,9 @@
 // The linear search for the first layer along a ray.
 //
 // Where a search samples decides what it can see: what a ray crosses twice between two samples is
-// lost, and no refinement brings it back. Of 500 rays at 45 to 70 degrees on bricks 1.5 texels wide
-// at their edges (cases/relief/search), 8, 32 and 128 steps take 8.4, 0 and 0 % for another hit that
-// is more than two texels off; the right ones are off by 2, 0.95 and 0.26 texels at most.
+// lost, and no refinement brings it back. Of 500 rays at 45 to 70 degrees on a map of bricks, 12.8
+// texels to the box height, 8, 32 and 128 steps take 8.4, 0 and 0 % for a hit that is more than two
+// texels off; the others are off by 2, 0.95 and 0.26 texels at most.
 //
 // Rays come from relief_ray and relief_view_ray, hits and brackets from a search: their numbers are
 // finite, and then so are those of the result, whatever heights (NaN too) and counts are given.
@@ -68,8 +68,8 @@ int relief_first(ReliefBracket bracket)
     if (met != RELIEF_BOTH) {
         return met;
     }
-    return bracket.above.x * bracket.below.y > bracket.above.y * bracket.below.x ? RELIEF_TRANSLUCENT
-                                                                               : RELIEF_SOLID;
+    bool translucent = bracket.above.x * bracket.below.y > bracket.above.y * bracket.below.x;
+    return translucent ? RELIEF_TRANSLUCENT : RELIEF_SOLID;
 }
 
 // The hit of a bracket after the way t, or none if its end meets no layer.
@@ -124,8 +124,8 @@ ReliefHit search_layers(ReliefRay ray, int layers, int steps)
     return relief_hit(ray, bracket, bracket.t_below);
 }
 
-// The first encounter with either layer (thesis 4.1.1). Where both are met within one step it is the one that is
-// crossed first if heights run straight between the two samples, and the solid in a tie.
+// The first encounter with either layer (thesis 4.1.1). Where both are met within one step it is the
+// one that is crossed first if heights run straight between the two samples, and the solid in a tie.
 ReliefHit search_intersection(ReliefRay ray, int steps)
 {
     return search_layers(ray, RELIEF_BOTH, steps);
