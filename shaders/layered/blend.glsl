@@ -1,8 +1,8 @@
 // How the colours of two layers and of the mirrored environment become one.
 //
 // Colours are limited to 0..65504 in each channel and shares to 0..1, a NaN to the
-// limit on the side of its sign. No input yields NaN or infinity. Where no colour is above one, none
-// that is returned is.
+// limit on the side of its sign. No input yields NaN or infinity. Where no colour is above one,
+// none that is returned is.
 #ifndef ETALON_LAYERED_BLEND
 #define ETALON_LAYERED_BLEND
 
