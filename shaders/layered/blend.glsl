@@ -1,7 +1,8 @@
 // How the colours of two layers and of the mirrored environment become one.
 //
 // Colours are limited to 0..65504 in each channel and shares to 0..1, a NaN to the
-// limit on the side of its sign. No input yields NaN or infinity. Where no colour is above one, none that is returned is.
+// limit on the side of its sign. No input yields NaN or infinity. Where no colour is above one,
+// none that is returned is.
 #ifndef ETALON_LAYERED_BLEND
 #define ETALON_LAYERED_BLEND
 
@@ -44,8 +45,8 @@ vec3 blend_layers_fresnel(vec3 outer, vec3 inner, float transparency, float n1, 
 // Source: Oat, end of the second listing; the shares, which keep the sum within one, are ours.
 vec3 light_layers(vec3 base, float n_dot_l, vec3 specular, float reflectance)
 {
-    return layered_mix(optics_limit(base, 0.0, LAYERED_BRIGHTEST) * optics_limit(n_dot_l, 0.0, 1.0), specular,
-                       optics_limit(reflectance, 0.0, 1.0));
+    vec3 lit = optics_limit(base, 0.0, LAYERED_BRIGHTEST) * optics_limit(n_dot_l, 0.0, 1.0);
+    return layered_mix(lit, specular, optics_limit(reflectance, 0.0, 1.0));
 }
 
 #endif

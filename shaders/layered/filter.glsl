@@ -46,8 +46,8 @@ vec2 filter_rotation(ivec2 pixel)
 // The samples are the article's, moved and stretched so that their mean is (0, 0) and their second
 // moments are those of the disc, r^2 / 4 in every direction: what is constant, linear or quadratic
 // in uv is filtered as by the disc but for 5e-6 of the largest colour. For a wave of k radians per
-// texel the error is 0.0045 (k r)^3 for k r <= 1 and below 0.075 for k r <= 3, where the disc leaves
-// 0.23; waves that the disc wipes out stay below 0.14.
+// texel the error is 0.0045 (k r)^3 for k r <= 1 and below 0.075 for k r <= 3, where the disc
+// leaves 0.23; waves that the disc wipes out stay below 0.14.
 // Beyond LAYERED_FINE_RADIUS mip levels take over, as wide as a quarter of the radius; what their
 // box and bilinear filters add to the second moment is taken off the samples' reach.
 // Costs what the published filter does, 13 samples.
