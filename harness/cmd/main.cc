@@ -257,7 +257,8 @@ int Main(std::vector<std::string> arguments) {
         ->type_name("N");
     std::string depth = "quick";
     run->add_option("--depth", depth,
-                    "quick, or full: inputs have their full counts, slow devices all rows")
+                    "quick, or full: all recipes, inputs in their full counts, all rows on slow "
+                    "devices")
         ->capture_default_str()
         ->check(CLI::IsMember({"quick", "full"}))
         ->type_name("DEPTH");

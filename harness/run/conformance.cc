@@ -163,11 +163,13 @@ void Register(Shared& shared, Planned planned) {
         [&shared, index]() -> CaseTest* { return new CaseTest(shared, index); });
 }
 
-Result<std::vector<Recipe>> RecipesFor(const Case& source, const std::vector<std::string>& chosen,
+Result<std::vector<Recipe>> RecipesFor(const Case& source, const RunChoice& choice,
                                        const DeviceInfo& device) {
+    const std::vector<std::string>& chosen = choice.recipes;
     const std::vector<std::string>& texts = chosen.empty() ? source.recipes : chosen;
     if (texts.empty()) {
-        return DefaultRecipes(device);
+        return choice.depth == Depth::kFull ? DefaultRecipes(device)
+                                            : QuickRecipes(device, source.path);
     }
     std::vector<Recipe> recipes;
     for (const std::string& text : texts) {
@@ -208,8 +210,7 @@ std::uint64_t MostRows(const PreparedCase& prepared, const Result<Recipe>& recip
 Status<> RegisterAll(Shared& shared, const RunChoice& choice) {
     for (std::size_t index = 0; index < shared.cases.size(); ++index) {
         for (const auto& runner : shared.devices.runners) {
-            ETALON_TRY(recipes,
-                       RecipesFor(shared.cases[index].source, choice.recipes, runner->info()));
+            ETALON_TRY(recipes, RecipesFor(shared.cases[index].source, choice, runner->info()));
             std::vector<std::string> names;
             for (Recipe recipe : recipes) {
                 if (NeedsFragment(shared.cases[index])) {

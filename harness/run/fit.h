@@ -1,6 +1,7 @@
 // Fits recipes to devices.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -18,8 +19,12 @@ Target TargetOf(const DeviceInfo& device);
 // reason for a skip, where it cannot.
 Result<Recipe> FitRecipe(const Recipe& recipe, const DeviceInfo& device);
 
-// What is run where nobody asks for recipes: one for a probe, several for a case.
+// What is run where nobody asks for recipes: one for a probe, all of a set for a case.
 Recipe DefaultRecipe(const DeviceInfo& device);
 std::vector<Recipe> DefaultRecipes(const DeviceInfo& device);
+
+// Two of the set, for a run that is quick: the default recipe and one of the others, whose turn the
+// name of the case decides. Over many cases each comes as often.
+std::vector<Recipe> QuickRecipes(const DeviceInfo& device, std::string_view case_path);
 
 }  // namespace etalon

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
+
 namespace etalon {
 namespace {
 
@@ -74,8 +76,24 @@ TEST(DefaultRecipes, FitTheirDevice) {
                 ElementsAre("spirv", "spirv+baked", "spirv+O", "spirv+Os", "spirv+precise",
                             "spirv+fragment"));
     EXPECT_THAT(Texts(DefaultRecipes(kNewGl)),
-                ElementsAre("glsl", "glsl+baked", "spirv", "spirv+O"));
+                ElementsAre("glsl", "glsl+baked", "spirv", "spirv+O", "glsl+fragment"));
     EXPECT_THAT(Texts(DefaultRecipes(kOldGl)), ElementsAre("glsl+fragment", "glsl+baked+fragment"));
+}
+
+TEST(QuickRecipes, TakeTurnsOverTheCases) {
+    std::map<std::string, int> seen;
+    for (int i = 0; i < 500; ++i) {
+        const auto texts = Texts(QuickRecipes(kVulkan, "optics/case" + std::to_string(i)));
+        ASSERT_EQ(texts.size(), 2u);
+        EXPECT_EQ(texts[0], "spirv");
+        ++seen[texts[1]];
+    }
+    EXPECT_EQ(seen.size(), 5u);
+    for (const auto& [text, times] : seen) {
+        EXPECT_GT(times, 60) << text;
+    }
+    EXPECT_EQ(Texts(QuickRecipes(kVulkan, "a/b")), Texts(QuickRecipes(kVulkan, "a/b")));
+    EXPECT_EQ(QuickRecipes(kOldGl, "a/b"), DefaultRecipes(kOldGl));
 }
 
 TEST(TargetOf, IsOpenGlWhereTextIsTaken) {
