@@ -1,5 +1,5 @@
-// Translucent shadow maps as the blog "Make it translucid!" has them: its mathematics and its flaws,
-// with its globals as parameters. The hardened ones are in shaders/shadow_map.
+// Translucent shadow maps as the blog "Make it translucid!" has them: its mathematics and its
+// flaws, with its globals as parameters. The hardened ones are in shaders/shadow_map.
 #ifndef ETALON_PUBLISHED_SHADOW_MAP
 #define ETALON_PUBLISHED_SHADOW_MAP
 
@@ -121,8 +121,8 @@ vec3 multiple_scattering(vec2 uv, vec3 x_out, float level, DipoleChannel medium)
 
 // Part three: 21 taps about x_out at steps of one texel, levels 1, 2 and 3 times `smoothness`,
 // weights 1/18 for the inner nine and 1/24 for the outer twelve, which sum to one: a blur in place
-// of an integral. The inner nine are the centre and two to each side along the axes; where the outer
-// twelve lie is not known to us, here they are the next to each side and the diagonals.
+// of an integral. The inner nine are the centre and two to each side along the axes; where the
+// outer twelve lie is not known to us, here they are the next to each side and the diagonals.
 vec3 filter21(vec3 x_out, float smoothness, DipoleChannel medium)
 {
     const float d = 1.0 / 1024.0;
@@ -135,7 +135,8 @@ vec3 filter21(vec3 x_out, float smoothness, DipoleChannel medium)
         for (int k = 1; k <= 2; ++k) {
             float way = turn * float(k);
             inner += multiple_scattering(x_out.xy + way * axis, x_out, smoothness, medium);
-            outer += multiple_scattering(x_out.xy + way * diagonal, x_out, smoothness * 2.0, medium);
+            outer +=
+                multiple_scattering(x_out.xy + way * diagonal, x_out, smoothness * 2.0, medium);
         }
         outer += multiple_scattering(x_out.xy + turn * 3.0 * axis, x_out, smoothness * 3.0, medium);
     }

@@ -4,9 +4,9 @@
 
 #include "light_space.glsl"
 
-// The depth of a point in light space as the map keeps it, 0 at near_plane and 1 at far_plane, for a
-// 32-bit float target: -z over the range of depths. Beyond the planes it is limited to 0..1, which
-// is also where NaN goes (0). A far plane that is not beyond the near one counts as 2^-40 beyond it.
+// The depth of a point in light space as the map keeps it, 0 at near_plane and 1 at far_plane, for
+// a 32-bit float target: -z over the range of depths. Beyond the planes it is limited to 0..1; NaN
+// counts as 0. A far plane that is not beyond the near one counts as 2^-40 beyond it.
 // Error: 1e-7 absolute for planes of 1e-3 to 1e3.
 float light_depth(float z_light, float near_plane, float far_plane)
 {

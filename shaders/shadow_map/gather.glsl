@@ -52,7 +52,7 @@ float gather_level(float area, float texel)
 }
 
 // One tap: the light of a part of the map, from its place, depth and normal at that level, weighted
-// by the integral of R_d from `inner` to `outer` (squared lateral ways) at its own depth difference.
+// by the integral of R_d from `inner` to `outer` (squared lateral ways) at the tap's own depth.
 // `unit` is the map's width at the depth for which these ways hold.
 vec3 gather_tap(LightMap map, Dipole medium, vec3 leaves, float unit, vec2 uv, float level,
                 float middle, float inner, float outer)
@@ -70,18 +70,21 @@ vec3 gather_tap(LightMap map, Dipole medium, vec3 leaves, float unit, vec2 uv, f
 }
 
 // The radiosity that leaves at map coordinate uv and that depth: the sum over the map of irradiance
-// times R_d times surface, as far as map.reach. `taps` is 1 + 4 k, at most 49: the disc about uv and
-// k rings of four taps each, turned against each other. The rings share the light of an even, flat
-// map evenly among the taps, so that they lie close where R_d is steep. A tap reads a level half a
-// step finer than its share of the map, and its weight is an integral: an even, flat map is gathered
-// exactly by any number of taps. All inputs yield finite results.
-// Error against the sum over all texels, at most (mean), for a plate, a tilted plate, a wedge and a
-// sphere, 0.5 to 20 scattering lengths thick, albedo 0.83 to 1:
-//   taps        1           5           13          21          49
-//   flat parts  @1 @5 @13 @21 @49
-//   sphere      @s
-// A surface that the map shows edge-on and the point lies close to is what is missed.
-// Cost: four exponentials a tap, where point weights have two; 21 of those miss by @point.
+// times R_d times surface, as far as map.reach. `taps` is 1 + 4 k, at most 49: the disc about uv
+// and k rings of four taps each, turned against each other. The rings share the light of an even,
+// flat map evenly among the taps, so that they lie close where R_d is steep. A tap reads a level
+// half a step finer than its share of the map, and its weight is an integral: an even, flat map is
+// gathered exactly by any number of taps. All inputs yield finite results.
+// Error against the sum over all 128 x 128 texels, at most (and in the mean), for plates level,
+// tilted and in a wedge, 0.25 to 16 mean free paths thick, and for a sphere, 0.7 to 8:
+//   taps      1            5            13           21           49
+//   plates    76 % (26)    22 % (5.3)   7.8 % (2.6)  6.9 % (1.7)  6.7 % (1.5)
+//   sphere    51 %         18 %         16 %         16 %         8 %
+// It hardly depends on the thickness. With more than one tap it comes from outlines: the coarse
+// levels blur them, and a surface that the map sees edge-on, which may be near, has few texels.
+// Cost: four exponentials for each channel of a tap. Point weights, R_d times the area, need two;
+// 21 such taps are as good on plates up to one mean free path thick, and up to 12 %, 42 % and
+// 320 % off where the thickness is two, four and eight.
 // Source: C. Dachsbacher and M. Stamminger, Translucent Shadow Maps, 2003: 21 taps, finer levels
 // inside; there with point weights.
 vec3 gather_translucency(LightMap map, Dipole medium, vec2 uv, float depth, int taps)
@@ -125,11 +128,11 @@ vec3 gather_translucency(LightMap map, Dipole medium, vec2 uv, float depth, int 
         // By the golden angle, so that no two rings are aligned.
         axis = vec2(-0.73736888 * axis.x - 0.67549029 * axis.y,
                     0.67549029 * axis.x - 0.73736888 * axis.y);
-        vec2 step = sqrt(middle) / unit * axis;
+        vec2 offset = sqrt(middle) / unit * axis;
         for (int quarter = 0; quarter < 4; ++quarter) {
             sum += 0.25
-                * gather_tap(map, medium, leaves, unit, uv + step, level, middle, inner, outer);
-            step = vec2(-step.y, step.x);
+                * gather_tap(map, medium, leaves, unit, uv + offset, level, middle, inner, outer);
+            offset = vec2(-offset.y, offset.x);
         }
     }
     return sum;

@@ -27,8 +27,8 @@ vec3 normal_code(vec3 normal_light)
     return light_unit(normal_light, vec3(0.0, 0.0, 1.0)) * 0.5 + 0.5;
 }
 
-// The unit normal of a texel. A neutral texel of 8 bits, 128/255, is tilted by at most 0.32 degrees;
-// (0.5, 0.5, 0.5) is no normal and gives (0, 0, 1).
+// The unit normal of a texel. A neutral texel of 8 bits, (128, 128, 255) / 255, is tilted by 0.32
+// degrees; (0.5, 0.5, 0.5) is no normal and gives (0, 0, 1).
 vec3 normal_decode(vec3 code)
 {
     return light_unit(2.0 * light_limit(code, 0.0, 1.0) - 1.0, vec3(0.0, 0.0, 1.0));

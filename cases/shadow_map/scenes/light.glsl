@@ -9,7 +9,7 @@ mat4 light_projection(float near_plane, float far_plane)
                 2.0 * near_plane * far_plane / range, 0.0);
 }
 
-// The share of b's varyings at the part t of the way from a to b on the screen: interpolated over w.
+// The share of b's varyings at the part t of the way from a to b on the screen.
 float varying_weight(vec4 a, vec4 b, float t)
 {
     float of_b = t / b.w;
