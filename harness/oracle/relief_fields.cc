@@ -27,11 +27,11 @@ double Smooth(int i, int j) {
            0.073 * Wave(7 * i - 2 * j + 7 * kSize);
 }
 
-// Bricks of 32 x 16 texels, every second row moved by half a brick, with joints of three texels.
+// Bricks of 16 x 8 texels, every second row moved by half a brick, with joints of two texels.
 double Bricks(int i, int j) {
-    const int row = j / 16;
-    const bool joint = (i + (row % 2) * 16) % 32 < 3 || j % 16 < 3;
-    return joint ? -0.125 : 0.25;
+    const int row = j / 8;
+    const bool joint = (i + (row % 2) * 8) % 16 < 2 || j % 8 < 2;
+    return joint ? -0.075 : 0.3;
 }
 
 // 0 .. 1, from the integers alone (the mixing of MurmurHash3).
@@ -71,11 +71,11 @@ double Ridges(int i, int j) {
 
 double Steps(int i, int) {
     const int stair = i / 8;  // 0 .. 15
-    return -0.4375 + 0.109375 * (stair < 8 ? stair : 15 - stair);
+    return -0.43 + 0.11 * (stair < 8 ? stair : 15 - stair);
 }
 
 double Spike(int i, int j) {
-    return i == 64 && j == 64 ? 0.5 : -0.4375;
+    return i == 64 && j == 64 ? 0.5 : -0.43;
 }
 
 double Flat(int, int) {

@@ -9,11 +9,14 @@
 //   bricks   128 x 128  a running bond whose edges rise 0.375 in one texel; gradient 0.53
 //   noise    128 x 128  value noise of two octaves; gradient 0.13
 //   ridges   128 x 128  a grid of ridges one texel wide and 0.8 high; gradient 1.13
-//   steps    128 x 128  eight terraces, each 0.109 higher in one texel, up and down again
-//   spike    128 x 128  one texel of 0.5 in a plane of -0.4375
+//   steps    128 x 128  eight terraces, each 0.11 higher in one texel, up and down again
+//   spike    128 x 128  one texel of 0.5 in a plane of -0.43
 //   flat     128 x 128  -0.125 everywhere
 //   film     128 x 128  waves cut off at the box's top: two fifths of its texels are 0.5
 //   tiny       8 x 8    noise from texel to texel, -0.4375 .. 0.4375
+//
+// No level of bricks, ridges and steps is where a search in 8, 16, 24 or 32 equal steps samples: on
+// the level itself the last bit decides what is met.
 //
 //   relief.texel_smooth(i, j), ...  the texel in column i and row j; any integers
 #pragma once

@@ -43,7 +43,7 @@ TEST(ReliefFields, HoldMultiplesOfTheUnitWithinTheBox) {
 TEST(ReliefFields, AreAsSteepAsStated) {
     const std::map<std::string_view, double> stated = {{"smooth", 0.066}, {"bricks", 0.53},
                                                        {"noise", 0.13},   {"ridges", 1.13},
-                                                       {"steps", 0.109},  {"flat", 0}};
+                                                       {"steps", 0.11},   {"flat", 0}};
     for (const HeightField& field : HeightFields()) {
         const auto found = stated.find(field.name());
         if (found != stated.end()) {
@@ -52,10 +52,23 @@ TEST(ReliefFields, AreAsSteepAsStated) {
     }
 }
 
+TEST(ReliefFields, LevelsLieBetweenTheSamplesOfEqualSteps) {
+    for (const HeightField& field : HeightFields()) {
+        if (field.name() == "bricks" || field.name() == "ridges" || field.name() == "steps") {
+            for (int i = 0; i < field.size(); ++i) {
+                for (const int steps : {8, 16, 24, 32}) {
+                    const double sample = (0.5 - field.Texel(i, 4)) * steps;
+                    EXPECT_GT(std::fabs(sample - std::round(sample)), 0.01) << field.name();
+                }
+            }
+        }
+    }
+}
+
 TEST(ReliefFields, AreCalledByName) {
     EXPECT_EQ(EvaluateOne("relief.texel_spike", {64, 64}), 0.5);
     EXPECT_EQ(EvaluateOne("relief.texel_spike", {64 - 128, 64 + 256}), 0.5);
-    EXPECT_EQ(EvaluateOne("relief.texel_spike", {64, 63}), -0.4375);
+    EXPECT_EQ(EvaluateOne("relief.texel_spike", {64, 63}), -1761.0 / 4096);
     EXPECT_EQ(EvaluateOne("relief.texel_flat", {1e9, -1e9}), -0.125);
     EXPECT_TRUE(std::isnan(EvaluateOne("relief.texel_flat", {1e30, 0})));
     EXPECT_TRUE(std::isnan(EvaluateOne("relief.texel_flat", {0, std::nan("")})));

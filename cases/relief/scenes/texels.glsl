@@ -1,5 +1,5 @@
-// A solid layer of texels, solid_map, whose first channel is z; the oracles relief.hit_smooth and so
-// on. The translucent layer is the box's floor, and costs no fetch.
+// A solid layer of texels: solid_map, whose first channel is z. The oracles are relief.hit_smooth
+// and its kind. The translucent layer is the box's floor, and costs no fetch.
 
 #ifdef GL_ES
 precision highp float;
