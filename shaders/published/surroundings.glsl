@@ -26,12 +26,17 @@ float light_attenuation(float d, float constant, float linear, float quadratic)
     return 1.0 / (constant + linear * d + quadratic * d * d);
 }
 
-// Flaws: shines where the light is below the horizon; no half vector where light and eye oppose
-// each other. Source: thesis 4.2.1 and appendix A.2 (exponent 400, strength 10).
+// Flaw: none where light and eye oppose each other. Source: thesis appendix A.2.
+vec3 half_vector(vec3 to_eye, vec3 to_light)
+{
+    return normalize(to_eye + to_light);
+}
+
+// Flaw: shines where the light is below the horizon. A half vector that is no number is hidden by
+// the max() of most drivers. Source: thesis 4.2.1 and appendix A.2 (exponent 400, strength 10).
 float half_vector_highlight(vec3 n, vec3 to_eye, vec3 to_light, float exponent, float strength)
 {
-    vec3 h = normalize(to_eye + to_light);
-    return pow(max(dot(n, h), 0.0), exponent) * strength;
+    return pow(max(dot(n, half_vector(to_eye, to_light)), 0.0), exponent) * strength;
 }
 
 // The direction in which a cube map is read. Flaw: right at the cube's centre only.
