@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "oracle/absorption.h"
+#include "oracle/conductor.h"
 #include "oracle/fresnel.h"
 #include "oracle/intensity.h"
 #include "oracle/layered.h"
@@ -22,6 +23,7 @@ const std::vector<Function>& Functions() {
         std::vector<Function> all;
         for (const auto& part : {
                  AbsorptionFunctions(),
+                 ConductorFunctions(),
                  FresnelFunctions(),
                  IntensityFunctions(),
                  LayeredFunctions(),
