@@ -24,7 +24,7 @@ vec4 optics_fresnel_shares(float n1, float n2, float c, float g)
     float across = (1.0 - c) * (1.0 + c);
 
     float s_amplitude = excess * (2.0 + excess) / s_squared;
-    // Its magnitude is near 1 at most angles and near 0 about Brewster's; each has its own best form.
+    // Its magnitude is near 1 at most angles and near 0 about Brewster's; each has its best form.
     float least = min(along, across);
     float sum = along + across;
     float p_to_s = 4.0 * least < sum ? 1.0 - 2.0 * least / sum : (along - across) / sum;

@@ -20,14 +20,15 @@ float index_of_refraction(float vacuum_speed, float speed)
     return vacuum_speed / speed;
 }
 
-// Eq. (6), solved for a3. Undefined beyond the critical angle: the arcsine has no value. Error: the
-// driver's sin and asin: 4e-4 on Mesa, 1.3e-3 on SwiftShader.
+// Eq. (6), solved for a3. Undefined beyond the critical angle: the arcsine has no value. Error: of
+// the driver's sin and asin, 4e-4 on Mesa, 1.3e-3 on SwiftShader.
 float refracted_angle(float n1, float n2, float angle)
 {
     return asin(n1 / n2 * sin(angle));
 }
 
-// Eq. (8): the angle of incidence from which on no light passes; n1 > n2. Error: the driver's asin, 4e-4 on Mesa.
+// Eq. (8): the angle of incidence from which on no light passes; n1 > n2. Error: the driver's
+// asin's, 4e-4 on Mesa.
 float critical_angle(float n1, float n2)
 {
     return asin(n2 / n1);
