@@ -189,12 +189,6 @@ vec3 hued_transmittance(float d, float half_distance, vec3 absorb_color)
     return vec3(1.0) - absorb_color * (1.0 - left);
 }
 
-// Eq. (20), n a positive integer: the width of a pre-blurred map.
-int scattering_map_size(int level)
-{
-    return 1 << max(level, 1);
-}
-
 // Eq. (23). 0 / 0 or infinite where the ray is parallel to the plane.
 float plane_ray_parameter(vec3 i, vec3 v, vec3 s, vec3 n)
 {
