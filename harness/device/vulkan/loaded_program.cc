@@ -29,7 +29,7 @@ DeviceResult<LoadedProgram> LoadedProgram::Build(Gpu& gpu, Textures& textures,
     loaded.input_words_ = program.input_words;
     loaded.output_words_ = program.output_words;
     for (const BoundImage& image : program.images) {
-        ETALON_TRY(texture, textures.Take(gpu, image));
+        ETALON_TRY(texture, textures.Take(gpu, program.stage, image));
         loaded.textures_.push_back(std::move(texture));
     }
     loaded.CreateLayout(gpu);

@@ -107,10 +107,12 @@ vk::SamplerCreateInfo SamplerOf(const Sampling& sampling) {
 
 }  // namespace
 
-DeviceResult<std::shared_ptr<const Texture>> Textures::Take(Gpu& gpu, const BoundImage& bound) {
+DeviceResult<std::shared_ptr<const Texture>> Textures::Take(Gpu& gpu, Stage stage,
+                                                            const BoundImage& bound) {
     ETALON_CHECK(bound.image != nullptr && IsWhole(*bound.image));
     for (const Known& known : known_) {
-        if (known.sampling == bound.sampling && AreSame(*known.image, *bound.image)) {
+        if (known.stage == stage && known.sampling == bound.sampling &&
+            AreSame(*known.image, *bound.image)) {
             return known.texture;
         }
     }
@@ -128,7 +130,7 @@ DeviceResult<std::shared_ptr<const Texture>> Textures::Take(Gpu& gpu, const Boun
         vk::ImageViewCreateInfo({}, *texture.image, type, kFormat, {}, WholeOf(source)));
     texture.sampler = vk::raii::Sampler(gpu.device, SamplerOf(bound.sampling));
     known_.push_back(
-        {bound.image, bound.sampling, std::make_shared<const Texture>(std::move(texture))});
+        {bound.image, bound.sampling, stage, std::make_shared<const Texture>(std::move(texture))});
     return known_.back().texture;
 }
 

@@ -16,17 +16,21 @@ struct Texture {
 };
 
 // The images of all programs on a device. They stay as long as it does, and one that comes again,
-// with the same content and sampling, is not uploaded again.
+// with the same content and sampling and for the same stage, is not uploaded again.
 class Textures {
   public:
     // Uploads and waits. Throws vk::SystemError; fails where the device cannot filter the format or
     // hold the size.
-    DeviceResult<std::shared_ptr<const Texture>> Take(Gpu& gpu, const BoundImage& bound);
+    DeviceResult<std::shared_ptr<const Texture>> Take(Gpu& gpu, Stage stage,
+                                                      const BoundImage& bound);
 
   private:
+    // SwiftShader completes a cube where it draws and not where it dispatches: were a texture
+    // shared by both stages, what a program sees would depend on the programs before it.
     struct Known {
         std::shared_ptr<const Image> image;
         Sampling sampling;
+        Stage stage;
         std::shared_ptr<const Texture> texture;
     };
     std::vector<Known> known_;
