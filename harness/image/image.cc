@@ -38,8 +38,10 @@ std::size_t LevelStart(const Image& image, std::uint32_t level) {
 bool IsWhole(const Image& image) {
     const bool known = image.shape == ImageShape::kFlat ||
                        (image.shape == ImageShape::kCube && image.width == image.height);
+    // First the one product that cannot overflow.
     return known && image.width > 0 && image.height > 0 && image.levels > 0 &&
            image.levels <= FullLevels(image) &&
+           LevelSize(image, 0).texels() <= image.rgba.size() &&
            image.rgba.size() == LevelStart(image, image.levels);
 }
 

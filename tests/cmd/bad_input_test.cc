@@ -155,6 +155,12 @@ TEST_F(BadInput, OptionsOfAProbeThatAreWrong) {
               "no.png: No such file or directory");
     EXPECT_THAT(Probe("f.glsl", "f(1.0)", {"--with", "s=f.glsl"}),
                 StartsWith("f.glsl: is not an image"));
+    EXPECT_THAT(Probe("f.glsl", "f(1.0)", {"--image", "s={ expr = 'u + w', size = [4, 4] }"}),
+                StartsWith("--image:1:"));
+    EXPECT_EQ(Probe("f.glsl", "f(1.0)", {"--image", "s={ expr = 'u', size = [4, 4] }"}),
+              "image 's': the call reaches no sampler 's'");
+    EXPECT_EQ(Probe("f.glsl", "f(1.0)", {"--image", "s={ file = 'no.png' }"}),
+              "--image:1: image 's': no.png: No such file or directory");
     EXPECT_EQ(Probe("f.glsl", "f(1.0)", {"--out", "x"}),
               "--out 'x': it reads NAME:TYPE, as in hit:vec3");
     EXPECT_THAT(Probe("f.glsl", "f(1.0)", {"--out", "x:nothing"}), StartsWith("out parameter 'x'"));
@@ -230,6 +236,8 @@ TEST_F(BadInput, CaseThatIsWrong) {
     EXPECT_THAT(RunOf(std::string("a\0", 2)), StartsWith("cases/a/c.toml: is not text"));
     EXPECT_THAT(RunOf("source = \"no.glsl\"\n" + std::string(kCase).substr(18)),
                 HasSubstr("no.glsl: No such file or directory"));
+    EXPECT_THAT(RunOf(std::string(kCase) + "[images]\ns = { file = \"no.png\" }\n"),
+                StartsWith("cases/a/c.toml:8: image 's': "));
     std::string blind = kCase;
     blind.replace(blind.find("ulp = 1"), 7, "absolute = 10");
     EXPECT_THAT(RunOf(blind), StartsWith("cases/a/c.toml:4: nothing could fail"));

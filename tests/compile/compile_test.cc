@@ -220,6 +220,25 @@ TEST_F(CompileTest, SamplersNeedImages) {
     EXPECT_THAT(CompileError(call, "spirv"), HasSubstr("uniform 'strength' has no value"));
 }
 
+TEST_F(CompileTest, ASamplerAndItsImageHaveOneShape) {
+    const auto source = Write(
+        "c.glsl",
+        "uniform samplerCube sky;\nfloat f(float x) { return textureLod(sky, vec3(x), 0.0).r; }\n"
+        "float g(float x) { return textureLod(sea, vec3(x), 0.0).r; }\n");
+    Call call = MakeCall(source, "f(x)", {kX});
+    const auto flat = std::make_shared<Image>(Image{1, 1, {0, 0, 0, 0}});
+    const auto cube =
+        std::make_shared<Image>(Image{1, 1, std::vector<float>(24), 1, ImageShape::kCube});
+    call.images = {{"sea", cube}};
+    EXPECT_THAT(CompileError(call, "spirv"), HasSubstr("--image 'sky={ cube = true, ... }'"));
+    call.images = {{"sky", flat}, {"sea", cube}};
+    EXPECT_THAT(CompileError(call, "spirv"),
+                HasSubstr("'sky' is a samplerCube, its image is flat"));
+    call.images[0].image = cube;
+    EXPECT_EQ(CompileError(call, "spirv"), "");
+    EXPECT_EQ(CompileError(call, "glsl", {Target::Client::kOpenGl, 330}), "");
+}
+
 TEST_F(CompileTest, WhatNeedsANewerLanguageIsUnsupportedNotWrong) {
     const auto source = Write("n.glsl", "float f(float x) { return fma(x, x, x); }\n");
     const Call call = MakeCall(source, "f(x)", {kX});

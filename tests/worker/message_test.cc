@@ -21,7 +21,10 @@ Program Sample() {
     program.input_words = 3;
     program.output_words = 4;
     const auto image = std::make_shared<Image>(Image{1, 2, {0, 1, 2, 3, 4, 5, 6, -0.0f}});
-    program.images = {{"albedo", image}, {"height", image}};
+    auto sky = std::make_shared<Image>(Image{2, 2, {}, 2, ImageShape::kCube});
+    sky->rgba.resize(LevelStart(*sky, 2), 0.5f);
+    program.images = {
+        {"albedo", image}, {"height", image, {Filter::kNearest, Wrap::kClamp}}, {"sky", sky}};
     return program;
 }
 
@@ -35,10 +38,34 @@ TEST(Message, CarriesAProgram) {
     EXPECT_EQ(program.spirv, Sample().spirv);
     EXPECT_EQ(program.input_words, 3u);
     EXPECT_EQ(program.output_words, 4u);
-    ASSERT_EQ(program.images.size(), 2u);
+    ASSERT_EQ(program.images.size(), 3u);
+    EXPECT_EQ(program.images[0].sampling, Sampling{});
     EXPECT_EQ(program.images[1].name, "height");
-    EXPECT_EQ(program.images[1].image->height, 2u);
-    EXPECT_EQ(program.images[1].image->rgba, Sample().images[1].image->rgba);
+    EXPECT_EQ(program.images[1].sampling, (Sampling{Filter::kNearest, Wrap::kClamp}));
+    EXPECT_EQ(program.images[2].name, "sky");
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_TRUE(AreSame(*program.images[i].image, *Sample().images[i].image)) << i;
+    }
+}
+
+TEST(Message, RefusesAnImageThatIsNotWhole) {
+    const auto refused = [](void (*spoil)(Image&, Sampling&)) {
+        Program program = Sample();
+        Image image = *program.images[2].image;
+        spoil(image, program.images[2].sampling);
+        program.images[2].image = std::make_shared<Image>(std::move(image));
+        return !DecodeRequest(Body(Encode(program)));
+    };
+    EXPECT_FALSE(refused([](Image&, Sampling&) {}));
+    EXPECT_TRUE(refused([](Image& image, Sampling&) { image.width = 3; }));
+    EXPECT_TRUE(refused([](Image& image, Sampling&) { image.width = image.height = ~0u; }));
+    EXPECT_TRUE(refused([](Image& image, Sampling&) { image.levels = 1; }));
+    EXPECT_TRUE(refused([](Image& image, Sampling&) { image.levels = ~0u; }));
+    EXPECT_TRUE(refused([](Image& image, Sampling&) { image.rgba.push_back(0); }));
+    EXPECT_TRUE(refused([](Image& image, Sampling&) { image.shape = ImageShape::kFlat; }));
+    EXPECT_TRUE(refused([](Image& image, Sampling&) { image.shape = ImageShape{2}; }));
+    EXPECT_TRUE(refused([](Image&, Sampling& sampling) { sampling.filter = Filter{2}; }));
+    EXPECT_TRUE(refused([](Image&, Sampling& sampling) { sampling.wrap = Wrap{255}; }));
 }
 
 TEST(Message, CarriesTheOtherRequests) {
