@@ -165,7 +165,10 @@ Result<std::vector<BoundImage>> BindImages(glslang::TProgram& program, const Cal
         }
         if (image == call.images.end()) {
             return Error{call.source.string() + ": sampler '" + uniform.name +
-                         "' has no image; --with " + uniform.name + "=IMAGE gives one"};
+                         "' has no image; " +
+                         (is_cube ? "--image '" + uniform.name + "={ cube = true, ... }'"
+                                  : "--with " + uniform.name + "=IMAGE") +
+                         " gives one"};
         }
         if (is_cube != (image->image->shape == ImageShape::kCube)) {
             return Error{

@@ -36,6 +36,11 @@ Result<Image> DecodeOther(std::string_view bytes) {
         return Error{"has " + std::to_string(width) + " x " + std::to_string(height) +
                      " texels, too many"};
     }
+    // stb 2.27 takes the 16-bit values of a PNM for 8-bit ones when it adds the absent channels.
+    const bool is_pnm = bytes.starts_with("P5") || bytes.starts_with("P6");
+    if (is_pnm && stbi_is_16_bit_from_memory(data, size) != 0) {
+        return Error{"is a PNM file of 16 bits, which cannot be read; PNG and OpenEXR can"};
+    }
     Image image;
     image.width = static_cast<std::uint32_t>(width);
     image.height = static_cast<std::uint32_t>(height);

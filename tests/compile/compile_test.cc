@@ -236,7 +236,7 @@ TEST_F(CompileTest, ASamplerAndItsImageHaveOneShape) {
                 HasSubstr("'sky' is a samplerCube, its image is flat"));
     call.images[0].image = cube;
     EXPECT_EQ(CompileError(call, "spirv"), "");
-    EXPECT_EQ(CompileError(call, "glsl", {Target::Client::kOpenGl, 330}), "");
+    EXPECT_EQ(CompileError(call, "glsl+fragment", {Target::Client::kOpenGl, 330}), "");
 }
 
 TEST_F(CompileTest, WhatNeedsANewerLanguageIsUnsupportedNotWrong) {

@@ -14,8 +14,8 @@ struct ExrFile {
     std::int32_t top = 0;
     std::int32_t width = 1;
     std::int32_t height = 1;
-    std::int32_t sampling = 1;                           // of all channels
-    std::map<std::string, std::vector<float>> channels;  // row by row
+    std::int32_t sampling = 1;                                // of all channels
+    std::map<std::string, std::vector<float>> channels = {};  // row by row
 
     std::string Bytes() const {
         std::string text;

@@ -45,8 +45,8 @@ TEST(Levels, OfAnEvenSizeAreMeansOfFour) {
 // Whatever the sizes, the last level is the mean of all texels: no part of one is lost or counted
 // twice.
 TEST(Levels, OfAnySizeKeepTheMean) {
-    for (const auto [width, height] : {std::pair(5u, 3u), std::pair(7u, 7u), std::pair(1u, 9u),
-                                       std::pair(6u, 11u), std::pair(31u, 2u)}) {
+    for (const auto& [width, height] : {std::pair(5u, 3u), std::pair(7u, 7u), std::pair(1u, 9u),
+                                        std::pair(6u, 11u), std::pair(31u, 2u)}) {
         Image image = Counted(width, height);
         const std::vector<float> first = image.rgba;
         AddLevels(image);
@@ -56,7 +56,7 @@ TEST(Levels, OfAnySizeKeepTheMean) {
             for (std::size_t i = channel; i < first.size(); i += 4) {
                 sum += first[i];
             }
-            const double mean = sum / (first.size() / 4);
+            const double mean = sum / (double{1} * width * height);
             EXPECT_NEAR(Texel(image, image.levels - 1, 0, 0, 0)[channel], mean, 1e-5)
                 << width << " x " << height;
         }
@@ -75,7 +75,7 @@ TEST(Levels, OfAnOddSizeShareTheMiddleTexel) {
 }
 
 TEST(Levels, AreRoundedOnce) {
-    // Of 1, 1, 1 and 1 + 2^-23 pairs' means would round to 1 and lose the mean's last bits' tie.
+    // Rounded level by level, the mean of the first pair would be 1, and the mean of all too.
     const float next = std::nextafterf(1.0f, 2.0f);
     Image image{4, 1, {1, 0, 0, 0, next, 0, 0, 0, next, 0, 0, 0, next, 0, 0, 0}};
     AddLevels(image);

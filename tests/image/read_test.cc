@@ -41,8 +41,18 @@ TEST_F(ReadImageTest, TakesBitsAsZeroToOne) {
     EXPECT_EQ(image.height, 1u);
     EXPECT_EQ(image.levels, 1u);
     EXPECT_THAT(image.rgba, ElementsAre(0.0f, 0.2f, 1.0f, 1.0f, 1.0f, 0.0f, 0.0f, 1.0f));
-    const Image deep = Read(std::string("P5 1 1 65535\n\x00\x01", 15));
-    EXPECT_THAT(deep.rgba, ElementsAre(1 / 65535.0f, 1 / 65535.0f, 1 / 65535.0f, 1.0f));
+}
+
+TEST_F(ReadImageTest, TakesAllSixteenBitsOfAPng) {
+    // Two grey texels, 1 and 65535.
+    constexpr unsigned char kPng[] = {
+        137, 80, 78, 71,  13, 10, 26, 10, 0,   0,   0,   13,  73,  72,  68,  82, 0, 0,  0,
+        2,   0,  0,  0,   1,  16, 0,  0,  0,   0,   129, 217, 252, 21,  0,   0,  0, 16, 73,
+        68,  65, 84, 120, 1,  1,  5,  0,  250, 255, 0,   0,   1,   255, 255, 3,  5, 2,  0,
+        187, 43, 15, 54,  0,  0,  0,  0,  73,  69,  78,  68,  174, 66,  96,  130};
+    const Image image = Read(std::string(reinterpret_cast<const char*>(kPng), sizeof kPng));
+    const float least = 1 / 65535.0f;
+    EXPECT_THAT(image.rgba, ElementsAre(least, least, least, 1, 1, 1, 1, 1));
 }
 
 TEST_F(ReadImageTest, TakesAnOpenExrFileAsItIs) {
@@ -78,14 +88,13 @@ TEST_F(ReadImageTest, RefusesWhatIsNoImage) {
     EXPECT_THAT(Complaint(""), StartsWith("is not an image ("));
     EXPECT_EQ(Complaint("P5 20000 20000 255\n"), "has 20000 x 20000 texels, too many");
     EXPECT_EQ(Complaint("P5 20000 1 255\n"), "has 20000 x 1 texels, too many");
+    EXPECT_EQ(Complaint(std::string("P5 1 1 65535\n\x00\x01", 15)),
+              "is a PNM file of 16 bits, which cannot be read; PNG and OpenEXR can");
 
     ExrFile file;
     file.channels = {{"diffuse.R", {3}}};
     EXPECT_EQ(Complaint(file.Bytes()), "has none of the channels R, G, B, A and Y");
-    file.channels = {{"R", {3}}};
-    file.width = 1 << 15;
-    file.height = 1 << 15;
-    std::string bytes = ExrFile{.channels = {{"R", {3}}}}.Bytes();
+    const std::string bytes = ExrFile{.channels = {{"R", {3}}}}.Bytes();
     EXPECT_EQ(Complaint(bytes), "");
     for (std::size_t size = 4; size < bytes.size(); ++size) {
         EXPECT_THAT(Complaint(bytes.substr(0, size)), StartsWith("is not an OpenEXR image ("))
@@ -94,6 +103,12 @@ TEST_F(ReadImageTest, RefusesWhatIsNoImage) {
     ExrFile coarse{.width = 2, .height = 2, .sampling = 2};
     coarse.channels = {{"Y", {1, 1, 1, 1}}};
     EXPECT_EQ(Complaint(coarse.Bytes()), "has a channel of another resolution than the image's");
+    ExrFile wide;
+    wide.channels = {{"R", {3}}};
+    std::string huge = wide.Bytes();
+    // The window's right edge: its least byte follows name, type, size, left and top.
+    huge[huge.find("dataWindow") + 11 + 6 + 4 + 8 + 2] = '\x7f';
+    EXPECT_EQ(Complaint(huge), "has 8323073 x 1 texels, too many");
     EXPECT_EQ(ReadImage(folder_.path() / "none").error().message,
               (folder_.path() / "none").string() + ": No such file or directory");
 }
