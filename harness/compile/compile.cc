@@ -164,8 +164,7 @@ Result<std::vector<BoundImage>> BindImages(glslang::TProgram& program, const Cal
                          "' is no plain sampler2D or samplerCube, and only these take an image"};
         }
         if (image == call.images.end()) {
-            return Error{call.source.string() + ": sampler '" + uniform.name +
-                         "' has no image; " +
+            return Error{call.source.string() + ": sampler '" + uniform.name + "' has no image; " +
                          (is_cube ? "--image '" + uniform.name + "={ cube = true, ... }'"
                                   : "--with " + uniform.name + "=IMAGE") +
                          " gives one"};

@@ -40,8 +40,7 @@ bool IsWhole(const Image& image) {
                        (image.shape == ImageShape::kCube && image.width == image.height);
     // First the one product that cannot overflow.
     return known && image.width > 0 && image.height > 0 && image.levels > 0 &&
-           image.levels <= FullLevels(image) &&
-           LevelSize(image, 0).texels() <= image.rgba.size() &&
+           image.levels <= FullLevels(image) && LevelSize(image, 0).texels() <= image.rgba.size() &&
            image.rgba.size() == LevelStart(image, image.levels);
 }
 
