@@ -140,6 +140,13 @@ class Reader {
             std::memcpy(&value, bytes.data(), sizeof value);
         }
     }
+    // Another value than 0 and 1 is undefined in a bool.
+    void Get(bool& value) {
+        std::uint8_t byte = 0;
+        Get(byte);
+        good_ = good_ && byte <= 1;
+        value = byte == 1;
+    }
     void Get(std::string& text) {
         const std::string_view bytes = Cut(Count(1));
         text = printable_ ? Printable(bytes) : std::string(bytes);

@@ -144,6 +144,9 @@ TEST(Message, SurvivesAnyBytes) {
             (void)DecodeAnswer<DeviceInfo>(bad);  // no crash, no huge allocation
         }
     }
+    std::string slow = good;
+    slow.back() = 2;
+    EXPECT_FALSE(DecodeAnswer<DeviceInfo>(slow)) << "no bool";
     std::string kind(Body(EncodeAnswer<Nothing>(DeviceFailure{})));
     kind[1] = 3;
     EXPECT_FALSE(DecodeAnswer<Nothing>(kind));
