@@ -20,8 +20,8 @@
 // NaN, undecided, where heights raised or lowered by 2^-20 (for steps, walls moved by 2^-20 widths
 // too) would move the hit by more than 2^-8 on the whole, or make it a miss, or a miss a hit: at a
 // ray that nearly touches, or runs along, the surface, and at a hit within 2^-8 of the ray's end.
-// NaN also where the ray crosses more than 65536 waves or steps, or where it is no ray: something is
-// not finite, the end or a length negative.
+// NaN also where the ray crosses more than 65536 waves or steps, or where it is no ray: something
+// is not finite, the end or a length negative.
 //
 // Domain of the bounds: floats; the ray within 16 textures from their origin, its end at most 64;
 // sine: at most 128 waves along the ray; sphere_cap: at most 64 box heights from the centre.

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "bound.h"
 
@@ -252,6 +256,26 @@ TEST(Relief, AWaveBetweenTwoSamplesIsMet) {
     EXPECT_GT(hit, 0.7);
     EXPECT_LT(hit, 0.82);
     EXPECT_NEAR(0.5 - 0.25 * hit - 0.2 - 0.1 * std::sin(200 * std::numbers::pi * hit), 0, 1e-11);
+}
+
+// The gap falls through zero like a cube, without a slope: 200 bits would not find its root.
+TEST(Relief, ARayAlongASinesFlankIsUndecided) {
+    const float slope = -2 * std::numbers::pi_v<float> * 0.4f * 2.5f;
+    const Row along = {0, 0, slope / -16, 1, 0, slope, 0.125f, 0.4f, 2.5f, 0, 0.34375f, 0};
+    EXPECT_TRUE(std::isnan(Hit("relief.sine", along)));
+    Row steeper = along;
+    steeper[5] = 1.01 * slope;
+    steeper[2] = steeper[5] / -16;
+    EXPECT_NEAR(Hit("relief.sine", steeper), 0.0625, 1e-6);
+}
+
+TEST(Relief, NothingIsMetAboveTheBox) {
+    EXPECT_EQ(Hit("relief.plane", {0, 0, 1, 0, 0, -1, 1.5, 0.75}), 0.5);
+    EXPECT_EQ(Hit("relief.plane", {0, 0, 1, 0, 0, -1, 1.5, 0.25}), 0.75);
+    EXPECT_EQ(Hit("relief.plane", {0, 0, 1, 0, 0, 1, 1, 0.75}), -1);
+    // Rises out of the box under a steeper ramp, which it would meet at z = 0.75.
+    EXPECT_EQ(Hit("relief.ramp", {0, 0, 0.25, 1, 0, 1, 1, 1.5, 0, 0}), -1);
+    EXPECT_EQ(Hit("relief.ramp", {0, 0, 0.25, 1, 0, 1, 1, 3, 0, 0}), 0.125);
 }
 
 TEST(Relief, KnowsWhatIsEasyToSay) {
