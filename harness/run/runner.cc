@@ -1,7 +1,6 @@
 #include "run/runner.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "compile/text.h"
 #include "run/fit.h"
@@ -43,39 +42,10 @@ EvaluationFailure FromCompiler(const CompileFailure& failure) {
             failure.reason};
 }
 
-// Everything that a compiled program depends on, but for the content of its files, which does not
-// change in a run.
-std::string KeyOf(const Call& call, const Recipe& recipe) {
-    std::string key = RecipeText(recipe) + '\n' + call.source.string() + '\n';
-    for (const auto& with : call.with) {
-        key += with.string() + '\n';
-    }
-    for (const auto& root : call.include_roots) {
-        key += root.string() + '\n';
-    }
-    for (const auto& [name, value] : call.defines) {
-        key += name + '=' + value + '\n';
-    }
-    for (const BoundImage& bound : call.images) {
-        // An address is not given again to another image while the key is in use.
-        key += bound.name + ' ' + std::to_string(std::bit_cast<std::uintptr_t>(bound.image.get())) +
-               (bound.sampling.filter == Filter::kLinear ? " linear" : " nearest") +
-               (bound.sampling.wrap == Wrap::kRepeat ? " repeat" : " clamp") + '\n';
-    }
-    for (const Argument& argument : call.arguments) {
-        key += argument.type + ' ' + argument.name + (argument.is_input ? " in" : "") +
-               (argument.is_output ? " out" : "") + '\n';
-    }
-    for (const Wanted& wanted : call.wanted) {
-        key += wanted.text + '\n';
-    }
-    return key;
-}
-
 }  // namespace
 
-Runner::Runner(std::unique_ptr<Client> client, DeviceInfo info)
-    : client_(std::move(client)), info_(std::move(info)) {}
+Runner::Runner(std::unique_ptr<Client> client, DeviceInfo info, std::shared_ptr<Programs> programs)
+    : client_(std::move(client)), info_(std::move(info)), programs_(std::move(programs)) {}
 
 Runner::Outcome Runner::Renew(std::uint32_t attempt) {
     loaded_.clear();
@@ -151,17 +121,12 @@ Runner::Outcome Runner::Evaluate(const Call& call, const Signature& signature, c
     if (recipe.baked) {
         return EvaluateBaked(call, signature, recipe, inputs, sink);
     }
-    const std::string key = KeyOf(call, recipe);
-    auto known = compiled_.find(key);
-    if (known == compiled_.end()) {
-        Result<Program, CompileFailure> program =
-            Compile(call, signature, recipe, TargetOf(info_), {});
-        if (!program) {
-            return FromCompiler(program.error());
-        }
-        known = compiled_.emplace(key, Compiled{std::move(*program), call.images}).first;
+    const std::string key = Programs::KeyOf(call, recipe);
+    const auto& compiled = programs_->Get(call, signature, recipe, TargetOf(info_), {});
+    if (!compiled) {
+        return FromCompiler(compiled.error());
     }
-    const Program& program = known->second.program;
+    const Program& program = *compiled;
     const std::uint64_t words =
         std::max<std::uint64_t>(1, program.input_words + program.output_words);
     const std::uint64_t chunk = std::clamp<std::uint64_t>(
@@ -184,12 +149,11 @@ Runner::Outcome Runner::EvaluateBaked(const Call& call, const Signature& signatu
                 baked[row].push_back(inputs.words[column * inputs.rows + first + row]);
             }
         }
-        Result<Program, CompileFailure> program =
-            Compile(call, signature, recipe, TargetOf(info_), baked);
+        const auto& program = programs_->Get(call, signature, recipe, TargetOf(info_), baked);
         if (!program) {
             return FromCompiler(program.error());
         }
-        const std::string key = KeyOf(call, recipe) + "rows " + std::to_string(first);
+        const std::string key = Programs::KeyOf(call, recipe) + "rows " + std::to_string(first);
         loaded_.erase(key);
         ETALON_TRY_STEP(RunChunkTwice(key, *program, inputs, first, rows, sink));
         // Other rows may come under the same number the next time.

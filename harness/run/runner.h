@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "compile/compile.h"
 #include "probe/call.h"
+#include "run/programs.h"
 #include "worker/client.h"
 
 namespace etalon {
@@ -38,7 +38,7 @@ struct Rows {
 
 class Runner {
   public:
-    Runner(std::unique_ptr<Client> client, DeviceInfo info);
+    Runner(std::unique_ptr<Client> client, DeviceInfo info, std::shared_ptr<Programs> programs);
 
     const DeviceInfo& info() const { return info_; }
 
@@ -59,12 +59,6 @@ class Runner {
   private:
     using Outcome = Result<Nothing, EvaluationFailure>;
 
-    // Of the call's images, a program has those that it reaches; its key names all of them.
-    struct Compiled {
-        Program program;
-        std::vector<BoundImage> images;
-    };
-
     // The program's handle in the present worker, compiled and loaded on first use.
     Result<std::uint32_t, EvaluationFailure> Ready(const std::string& key, const Program& program);
     Outcome RunChunk(const std::string& key, const Program& program, const Rows& inputs,
@@ -78,7 +72,7 @@ class Runner {
     std::unique_ptr<Client> client_;
     DeviceInfo info_;
     std::map<std::string, std::uint32_t> loaded_;  // program key -> handle in the present worker
-    std::map<std::string, Compiled> compiled_;
+    std::shared_ptr<Programs> programs_;
     std::string flake_;
 };
 

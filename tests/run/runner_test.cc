@@ -37,7 +37,7 @@ class RunnerTest : public testing::Test {
         EXPECT_TRUE(info) << info.error().reason;
         DeviceInfo told = *info;
         told.max_rows = max_rows_;
-        return Runner(std::move(client), told);
+        return Runner(std::move(client), told, std::make_shared<Programs>());
     }
 
     // Evaluates `rows` rows of the words 0, 1, 2, ...; the null device gives them back.
