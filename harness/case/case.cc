@@ -119,6 +119,7 @@ class CaseReader {
             }
         }
         case_.covers = ids;
+        case_.covers_place = reader_.PlaceOf(*node);
         return Ok();
     }
 

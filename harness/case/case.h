@@ -63,6 +63,7 @@ struct Case {
     Place call_place;
     std::string family;
     std::vector<std::string> covers;  // ids of what the case shows: "F4", "D14"
+    Place covers_place;
     std::map<std::string, std::string> define;
     std::vector<std::string> include;
     std::vector<std::string> with;  // sources, or NAME=IMAGE

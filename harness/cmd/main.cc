@@ -14,6 +14,7 @@
 
 #include "base/file.h"
 #include "base/format.h"
+#include "report/catalogue.h"
 #include "report/json.h"
 #include "report/text.h"
 #include "run/case_choice.h"
@@ -156,8 +157,36 @@ int List(const std::string& root, const std::vector<std::string>& patterns) {
     return 0;
 }
 
+// What `etalon run` writes beside the summary.
+struct RunReports {
+    std::string json;
+    std::string catalogue;
+    std::size_t slowest = 0;
+};
+
+// The exit status.
+int WriteCatalogue(const std::string& file, const RunOutcome& outcome) {
+    if (auto written = WriteFile(
+            file, CatalogueMarkdown(outcome.catalogue, outcome.record, outcome.chosen_only));
+        !written) {
+        return Complain("--catalogue: " + written.error().message);
+    }
+    if (outcome.chosen_only) {
+        return 0;
+    }
+    std::string missing;
+    for (const std::string& id : MissingIds(outcome.catalogue, outcome.record)) {
+        missing += (missing.empty() ? "" : ", ") + id;
+    }
+    if (missing.empty()) {
+        return 0;
+    }
+    std::cerr << "etalon: no case covers " << missing << "\n";
+    return kVerdict;
+}
+
 int Run(RunChoice choice, const std::string& root, const DeviceOptions& options,
-        const std::string& json) {
+        const RunReports& reports) {
     Result<std::filesystem::path> folder = RootOf(root);
     if (!folder) {
         return Complain(folder.error().message);
@@ -168,6 +197,7 @@ int Run(RunChoice choice, const std::string& root, const DeviceOptions& options,
         return Complain(devices.error().message);
     }
     choice.devices = *devices;
+    choice.catalogue = !reports.catalogue.empty();
     Result<RunOutcome> outcome = RunConformance(choice);
     if (!outcome) {
         return Complain(outcome.error().message);
@@ -185,8 +215,11 @@ int Run(RunChoice choice, const std::string& root, const DeviceOptions& options,
               << SummaryText(outcome->record)
               << format("{} passed, {} failed, {} skipped in {:.1f} s\n", passed, failed, skipped,
                         outcome->record.seconds);
-    if (!json.empty()) {
-        if (auto written = WriteFile(json, RunJson(outcome->record)); !written) {
+    if (reports.slowest > 0) {
+        std::cout << "\n" << SlowestText(outcome->record, reports.slowest);
+    }
+    if (!reports.json.empty()) {
+        if (auto written = WriteFile(reports.json, RunJson(outcome->record)); !written) {
             return Complain("--json: " + written.error().message);
         }
     }
@@ -196,7 +229,9 @@ int Run(RunChoice choice, const std::string& root, const DeviceOptions& options,
     if (outcome->nothing_ran) {
         return Complain("no test ran: every one was skipped");
     }
-    return outcome->good ? 0 : kVerdict;
+    const int catalogue =
+        reports.catalogue.empty() ? 0 : WriteCatalogue(reports.catalogue, *outcome);
+    return catalogue == 0 && !outcome->good ? kVerdict : catalogue;
 }
 
 // GoogleTest's flags go through untouched; CLI11 never sees them.
@@ -239,7 +274,7 @@ int Main(std::vector<std::string> arguments) {
     CLI::App* run = app.add_subcommand(
         "run", "Run cases; GoogleTest's flags (--gtest_filter, --gtest_output, ...) pass through");
     RunChoice run_choice;
-    std::string json;
+    RunReports reports;
     run->add_option("PATTERN", run_choice.patterns,
                     "prefix of case paths, or a pattern with * and ?; default: all");
     run->add_option("--root", root, "folder that holds cases/; default: here or above")
@@ -249,7 +284,13 @@ int Main(std::vector<std::string> arguments) {
                     "the device's own set")
         ->allow_extra_args(false);
     run->add_option("--at", run_choice.at, "run one case at one input: 'n1=1,n2=0x1.8p+0'");
-    run->add_option("--json", json, "write all records to FILE")->type_name("FILE");
+    run->add_option("--json", reports.json, "write all records to FILE")->type_name("FILE");
+    run->add_option("--catalogue", reports.catalogue,
+                    "write what was found of each id in shaders/catalogue.toml to FILE, as "
+                    "Markdown; an id that no case covers is an error, unless only some are run")
+        ->type_name("FILE.md");
+    run->add_option("--slowest", reports.slowest, "name the N cases that took longest")
+        ->type_name("N");
     run_choice.jobs = std::max(1u, std::thread::hardware_concurrency());
     run->add_option("-j,--jobs", run_choice.jobs, "devices at work at the same time")
         ->capture_default_str()
@@ -337,7 +378,7 @@ int Main(std::vector<std::string> arguments) {
     }
     if (*run) {
         run_choice.depth = depth == "full" ? Depth::kFull : Depth::kQuick;
-        return Run(run_choice, root, devices, json);
+        return Run(run_choice, root, devices, reports);
     }
     Result<DeviceChoice> choice = devices.Choice();
     if (!choice) {

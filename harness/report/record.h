@@ -86,8 +86,23 @@ struct DeviceNote {
     std::string reason;  // why it is no device here
 };
 
+struct FunctionNote {
+    std::string name;
+    std::string file;  // relative to the root
+};
+
+// What a case is about, whatever its runs found.
+struct CaseNote {
+    std::string path;
+    std::vector<std::string> covers;
+    std::vector<FunctionNote> functions;  // under test
+    std::vector<std::string> oracles;     // expressions
+    std::size_t laws = 0;
+};
+
 struct RunRecord {
     std::string version;
+    std::vector<CaseNote> cases;  // in the order of their paths
     std::vector<DeviceInfo> devices;
     std::vector<DeviceNote> absent;
     std::vector<Record> records;

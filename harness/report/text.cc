@@ -170,6 +170,28 @@ std::string SummaryText(const RunRecord& run) {
     return text;
 }
 
+std::string SlowestText(const RunRecord& run, std::size_t count) {
+    std::map<std::string, double> seconds;
+    double all = 0;
+    for (const Record& record : run.records) {
+        seconds[record.case_path] += record.seconds;
+        all += record.seconds;
+    }
+    std::vector<std::pair<double, std::string>> cases;
+    for (const auto& [path, time] : seconds) {
+        cases.emplace_back(-time, path);
+    }
+    std::sort(cases.begin(), cases.end());
+    std::string text = format("{:>9} {:>7}  slowest of {} cases, {:.1f} s in all\n", "seconds",
+                              "share", cases.size(), all);
+    for (std::size_t i = 0; i < std::min(count, cases.size()); ++i) {
+        const double time = -cases[i].first;
+        text += format("{:>9.3f} {:>5.1f} %  {}\n", time, all > 0 ? 100 * time / all : 0,
+                       cases[i].second);
+    }
+    return text;
+}
+
 std::string DevicesText(const RunRecord& run, bool with_absent) {
     std::string text;
     for (const DeviceInfo& device : run.devices) {

@@ -25,6 +25,10 @@ std::string ShareText(const ShareCount& count);
 // with their causes.
 std::string SummaryText(const RunRecord& run);
 
+// The `count` cases that took longest, over all devices and recipes, with their shares of the time
+// that all took together.
+std::string SlowestText(const RunRecord& run, std::size_t count);
+
 // The table of `etalon devices`.
 std::string DevicesText(const RunRecord& run, bool with_absent);
 

@@ -15,10 +15,12 @@
 #include "base/format.h"
 #include "report/text.h"
 #include "run/case_choice.h"
+#include "run/case_note.h"
 #include "run/case_run.h"
 #include "run/fit.h"
 #include "run/gtest_report.h"
 #include "run/progress.h"
+#include "run/read_catalogue.h"
 #include "run/schedule.h"
 
 namespace etalon {
@@ -248,7 +250,7 @@ class Listener : public ::testing::EmptyTestEventListener {
                           : test.result()->Failed()            ? "fail "
                           : test.result()->Skipped()           ? "skip "
                                                                : "pass ")
-                      << name << " (" << test.result()->elapsed_time() << " ms)"
+                      << name << format(" ({:.0f} ms)", 1000 * records_.back().seconds)
                       << (records_.back().figures.empty() ? "" : " ")
                       << FiguresText(records_.back()) << "\n";
         }
@@ -330,10 +332,19 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
         return Error{"--at needs exactly one case, the pattern names " +
                      std::to_string(paths.size())};
     }
+    std::vector<CatalogueEntry> catalogue;
+    if (choice.catalogue) {
+        ETALON_TRY(entries, ReadCatalogue(choice.root));
+        catalogue = std::move(entries);
+    }
     // Static, because GoogleTest keeps the tests, and what they refer to, until the process ends.
     static Shared shared;
     for (const std::string& path : paths) {
         ETALON_TRY(source, ReadCase(choice.root, path));
+        if (choice.catalogue) {
+            ETALON_TRY_STEP(CheckCovers(source, catalogue));
+            shared.record.cases.push_back(NoteOf(source));
+        }
         if (choice.depth == Depth::kFull) {
             TakeFullCounts(source);
         }
@@ -371,6 +382,7 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     ETALON_TRY_STEP(RegisterAll(shared, choice));
     ::testing::UnitTest& tests = *::testing::UnitTest::GetInstance();
     RunOutcome outcome;
+    outcome.catalogue = std::move(catalogue);
     outcome.listed_only = GTEST_FLAG_GET(list_tests);
     if (!outcome.listed_only) {
         ::testing::TestEventListeners& listeners = tests.listeners();
@@ -393,6 +405,7 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     if (!outcome.listed_only && !is_shard && outcome.record.records.empty()) {
         return Error{"no test was selected: the filter leaves none"};
     }
+    outcome.chosen_only = !choice.patterns.empty() || is_shard || GTEST_FLAG_GET(filter) != "*";
     const std::vector<Record>& records = outcome.record.records;
     outcome.nothing_ran =
         !records.empty() && std::all_of(records.begin(), records.end(), [](const Record& record) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "report/catalogue.h"
 #include "report/record.h"
 #include "run/devices.h"
 
@@ -27,10 +28,13 @@ struct RunChoice {
     unsigned jobs = 1;                         // devices at work at the same time
     std::vector<std::string> gtest_arguments;  // "--gtest_..." flags
     bool verbose = false;                      // a line per test
+    bool catalogue = false;                    // also reads the root's catalogue
 };
 
 struct RunOutcome {
     RunRecord record;
+    std::vector<CatalogueEntry> catalogue;
+    bool chosen_only = false;  // not all tests were asked for
     bool listed_only = false;  // --gtest_list_tests or --help: nothing ran
     bool nothing_ran = false;  // every test was skipped
     bool good = false;         // no test failed
