@@ -290,6 +290,7 @@ int Main(std::vector<std::string> arguments) {
                     "Markdown; an id that no case covers is an error, unless only some are run")
         ->type_name("FILE.md");
     run->add_option("--slowest", reports.slowest, "name the N cases that took longest")
+        ->check(Within(1, 1e6))
         ->type_name("N");
     run_choice.jobs = std::max(1u, std::thread::hardware_concurrency());
     run->add_option("-j,--jobs", run_choice.jobs, "devices at work at the same time")

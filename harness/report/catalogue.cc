@@ -172,12 +172,13 @@ struct Worst {
         }
     }
 
+    // Two digits: more differ from machine to machine.
     std::string Text() const {
         std::vector<std::string> parts;
         const auto add = [&parts](const std::optional<double>& value, double scale,
                                   const char* unit) {
-            if (value) {
-                parts.push_back(ShortNumber(*value * scale) + unit);
+            if (value && *value > 0) {
+                parts.push_back(format("{:.2g}{}", *value * scale, unit));
             }
         };
         add(ulp, 1, " ulp");
@@ -185,7 +186,7 @@ struct Worst {
         add(relative, 1, " relative");
         add(missed, 100, " % missed");
         add(wrong, 100, " % wrong");
-        if (parts.empty() && exact) {
+        if (parts.empty() && (exact || ulp || absolute || relative || wrong)) {
             parts.emplace_back("exact");
         }
         if (parts.empty() && laws) {
@@ -277,6 +278,13 @@ std::string WorstCell(const Notes& notes, const RunRecord& run) {
     });
 }
 
+// A number to four digits, other text as it is.
+std::string Rounded(const std::string& text) {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    return *end == 0 && !text.empty() ? format("{:.4g}", number) : text;
+}
+
 // Of the published forms, by case: the figure that was expected and what was seen.
 std::string FiguresCell(const Notes& notes, const RunRecord& run) {
     std::vector<std::string> texts;
@@ -300,7 +308,7 @@ std::string FiguresCell(const Notes& notes, const RunRecord& run) {
                 for (const Record* record : records) {
                     for (const FigureSeen& figure : record->figures) {
                         if (record->device == device && figure.expected == expected) {
-                            values.insert(figure.seen);
+                            values.insert(Rounded(figure.seen));
                         }
                     }
                 }

@@ -98,6 +98,7 @@ struct CaseNote {
     std::vector<FunctionNote> functions;  // under test
     std::vector<std::string> oracles;     // expressions
     std::size_t laws = 0;
+    double seconds = 0;  // to read it and compute its inputs and truths, before any device
 };
 
 struct RunRecord {

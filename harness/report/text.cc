@@ -84,7 +84,7 @@ std::string FailureText(const Record& record) {
     if (record.worst && record.refused > 0) {
         const Observation& worst = *record.worst;
         text += format(
-            "\n  refused   {} of {} values ({} rows{}, seed {}); the worst:"
+            "\n  refused   {} of {} values ({}{} rows, seed {}); the worst:"
             "\n  input     {}\n            {}"
             "\n  output    {}\n  actual    {} = {}\n  expected  {} = {}"
             "\n  error     {} ulp, {} absolute, {} times the tolerance\n  rule      {}",
@@ -171,23 +171,29 @@ std::string SummaryText(const RunRecord& run) {
 }
 
 std::string SlowestText(const RunRecord& run, std::size_t count) {
-    std::map<std::string, double> seconds;
+    struct Time {
+        double prepared = 0;
+        double all = 0;
+    };
+    std::map<std::string, Time> times;
     double all = 0;
+    for (const CaseNote& note : run.cases) {
+        times[note.path] = {note.seconds, note.seconds};
+        all += note.seconds;
+    }
     for (const Record& record : run.records) {
-        seconds[record.case_path] += record.seconds;
+        times[record.case_path].all += record.seconds;
         all += record.seconds;
     }
-    std::vector<std::pair<double, std::string>> cases;
-    for (const auto& [path, time] : seconds) {
-        cases.emplace_back(-time, path);
-    }
-    std::sort(cases.begin(), cases.end());
-    std::string text = format("{:>9} {:>7}  slowest of {} cases, {:.1f} s in all\n", "seconds",
-                              "share", cases.size(), all);
+    std::vector<std::pair<std::string, Time>> cases(times.begin(), times.end());
+    std::stable_sort(cases.begin(), cases.end(),
+                     [](const auto& a, const auto& b) { return a.second.all > b.second.all; });
+    std::string text = format("{:>8} {:>8} {:>9}  slowest of {} cases, {:.1f} s in all\n",
+                              "seconds", "share", "prepared", cases.size(), all);
     for (std::size_t i = 0; i < std::min(count, cases.size()); ++i) {
-        const double time = -cases[i].first;
-        text += format("{:>9.3f} {:>5.1f} %  {}\n", time, all > 0 ? 100 * time / all : 0,
-                       cases[i].second);
+        const auto& [path, time] = cases[i];
+        text += format("{:>8.3f} {:>6.1f} % {:>9.3f}  {}\n", time.all,
+                       all > 0 ? 100 * time.all / all : 0, time.prepared, path);
     }
     return text;
 }

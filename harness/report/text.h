@@ -25,8 +25,9 @@ std::string ShareText(const ShareCount& count);
 // with their causes.
 std::string SummaryText(const RunRecord& run);
 
-// The `count` cases that took longest, over all devices and recipes, with their shares of the time
-// that all took together.
+// The `count` cases that took longest: seconds over all devices and recipes and the preparation,
+// their share of what all cases took together, and the preparation alone. Several devices work at
+// the same time, so that a run takes less than the sum.
 std::string SlowestText(const RunRecord& run, std::size_t count);
 
 // The table of `etalon devices`.

@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdlib>
-#include <iostream>
 #include <map>
 #include <memory>
 #include <set>
@@ -18,8 +16,9 @@
 #include "run/case_note.h"
 #include "run/case_run.h"
 #include "run/fit.h"
+#include "run/gtest_flags.h"
 #include "run/gtest_report.h"
-#include "run/progress.h"
+#include "run/listener.h"
 #include "run/read_catalogue.h"
 #include "run/schedule.h"
 
@@ -232,95 +231,8 @@ Status<> RegisterAll(Shared& shared, const RunChoice& choice) {
     return Ok();
 }
 
-// GoogleTest's own talk gives way to a progress line, each failure in full, and the summary
-// afterwards.
-class Listener : public ::testing::EmptyTestEventListener {
-  public:
-    Listener(const std::vector<Record>& records, bool verbose, int total)
-        : records_(records), verbose_(verbose), progress_(total) {}
-
-    void OnTestEnd(const ::testing::TestInfo& test) override {
-        if (test.result()->Failed()) {
-            progress_.Clear();
-            std::cout << Told(records_.back()) << "\n" << std::flush;
-        }
-        const std::string name = std::string(test.test_suite_name()) + "." + test.name();
-        if (verbose_) {
-            std::cout << (!records_.back().known_cause.empty() ? "known "
-                          : test.result()->Failed()            ? "fail "
-                          : test.result()->Skipped()           ? "skip "
-                                                               : "pass ")
-                      << name << format(" ({:.0f} ms)", 1000 * records_.back().seconds)
-                      << (records_.back().figures.empty() ? "" : " ")
-                      << FiguresText(records_.back()) << "\n";
-        }
-        progress_.Step(name);
-    }
-    void OnTestProgramEnd(const ::testing::UnitTest&) override { progress_.Clear(); }
-
-  private:
-    // The whole failure, or one line where the case has failed alike on another device: same input,
-    // same value.
-    std::string Told(const Record& record) {
-        if (record.worst && record.refused > 0) {
-            std::string same = record.case_path + record.worst->output + record.worst->actual.hex;
-            for (const auto& [name, value] : record.worst->inputs) {
-                same += name + value.hex;
-            }
-            if (!told_.insert(same).second) {
-                return record.case_path + " on " + record.device + " (" + record.recipe +
-                       "): fail, with the same input and value";
-            }
-        }
-        return FailureText(record);
-    }
-
-    const std::vector<Record>& records_;
-    bool verbose_;
-    Progress progress_;
-    std::set<std::string> told_;
-};
-
-// GoogleTest answers a flag that it does not know with its help on the standard output.
-constexpr std::array kGoogleTestFlags = {"also_run_disabled_tests",
-                                         "break_on_failure",
-                                         "brief",
-                                         "catch_exceptions",
-                                         "color",
-                                         "fail_fast",
-                                         "filter",
-                                         "list_tests",
-                                         "output",
-                                         "print_time",
-                                         "print_utf8",
-                                         "random_seed",
-                                         "recreate_environments_when_repeating",
-                                         "repeat",
-                                         "shuffle",
-                                         "stack_trace_depth",
-                                         "stream_result_to",
-                                         "throw_on_failure"};
-
-Status<> InitGoogleTest(const std::vector<std::string>& arguments) {
-    for (const std::string& argument : arguments) {
-        const std::string_view prefix = "--gtest_";
-        const std::string name = argument.substr(prefix.size(), argument.find('=') - prefix.size());
-        if (std::find(kGoogleTestFlags.begin(), kGoogleTestFlags.end(), name) ==
-            kGoogleTestFlags.end()) {
-            return Error{"GoogleTest knows no flag '" + argument + "'"};
-        }
-    }
-    std::vector<std::string> words = {"etalon"};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char*> pointers;
-    pointers.reserve(words.size() + 1);
-    for (std::string& word : words) {
-        pointers.push_back(word.data());
-    }
-    pointers.push_back(nullptr);
-    int count = static_cast<int>(words.size());
-    ::testing::InitGoogleTest(&count, pointers.data());
-    return Ok();
+double SecondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace
@@ -340,15 +252,20 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     // Static, because GoogleTest keeps the tests, and what they refer to, until the process ends.
     static Shared shared;
     for (const std::string& path : paths) {
+        const auto begin = std::chrono::steady_clock::now();
         ETALON_TRY(source, ReadCase(choice.root, path));
-        if (choice.catalogue) {
-            ETALON_TRY_STEP(CheckCovers(source, catalogue));
-            shared.record.cases.push_back(NoteOf(source));
-        }
         if (choice.depth == Depth::kFull) {
             TakeFullCounts(source);
         }
         ETALON_TRY(prepared, choice.at.empty() ? Prepare(source) : PrepareAt(source, choice.at));
+        CaseNote note;
+        note.path = path;
+        if (choice.catalogue) {
+            ETALON_TRY_STEP(CheckCovers(source, catalogue));
+            note = NoteOf(source);
+        }
+        note.seconds = SecondsSince(begin);
+        shared.record.cases.push_back(std::move(note));
         shared.cases.push_back(std::move(prepared));
     }
     ETALON_TRY(devices, OpenDevices(choice.devices));
@@ -389,14 +306,14 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
         delete listeners.Release(listeners.default_result_printer());
         listeners.Append(new Starter(shared, choice.jobs));
         listeners.Append(
-            new Listener(shared.record.records, choice.verbose, tests.total_test_count()));
+            MakeListener(shared.record.records, choice.verbose, tests.total_test_count())
+                .release());
     }
     outcome.good = RUN_ALL_TESTS() == 0;
     if (auto written = report.Write(); !written) {
         outcome.report_error = written.error().message;
     }
-    shared.record.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    shared.record.seconds = SecondsSince(start);
     outcome.record = std::move(shared.record);
     // Workers end here, in order, and not in a destructor after main.
     shared.devices = DeviceSet{};

@@ -245,6 +245,18 @@ TEST_F(BadInput, CaseThatIsWrong) {
                 StartsWith("cases/a/c.toml: unknown recipe 'fast'"));
 }
 
+TEST_F(BadInput, CaseThatIsLikeNothing) {
+    EXPECT_EQ(RunOf(std::string("like = \"no.toml\"\n") + kCase),
+              "cases/a/c.toml:1: 'like': there is no file cases/a/no.toml");
+    EXPECT_EQ(RunOf(std::string("like = \"c.toml\"\n") + kCase),
+              "cases/a/c.toml:1: 'like' leads in a circle: cases/a/c.toml is like cases/a/c.toml");
+    folder_.Write("cases/a/shared.part.toml", "\noracle = \"x +\"\n");
+    std::string like = kCase;
+    like.replace(like.find("oracle"), std::string("oracle = \"x\"\n").size(),
+                 "like = \"shared.part.toml\"\n");
+    EXPECT_THAT(RunOf(like), StartsWith("cases/a/shared.part.toml:2:14: "));
+}
+
 TEST_F(BadInput, OptionsOfARunThatAreWrong) {
     EXPECT_EQ(RunOf(kCase, {"--at", "x=one"}), "--at: x: 'one' is not a float");
     EXPECT_EQ(RunOf(kCase, {"--at", "y=1"}), "--at: the case has no input 'y'");

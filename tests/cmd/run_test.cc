@@ -111,6 +111,42 @@ TEST_F(RunTest, DepthDecidesOnTheRows) {
     EXPECT_EQ(full[1][0], full[1][1]);
 }
 
+TEST_F(RunTest, NamesTheSlowestCases) {
+    const Finished finished = Run({"a", "b", "--slowest", "2"});
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    EXPECT_THAT(finished.out, HasSubstr("slowest of 3 cases"));
+    EXPECT_EQ(Run({"a", "--slowest", "-1"}).status, 2);
+}
+
+// Must fail: an id that no case covers.
+TEST_F(RunTest, TheCatalogueMissesNoId) {
+    folder_.Write("shaders/catalogue.toml",
+                  "[F1]\nname = \"the same\"\nsource = \"thesis (1)\"\n"
+                  "[F2]\nname = \"another\"\nsource = \"thesis (2)\"\n");
+    std::filesystem::remove(folder_.path() / "cases/wrong.toml");
+    folder_.Write("cases/a/one.toml", "covers = [\"F1\"]\n" + Case("x"));
+    const Finished missing = Run({"--catalogue", "c.md"});
+    EXPECT_EQ(missing.status, 1);
+    EXPECT_EQ(missing.err, "etalon: no case covers F2\n");
+    EXPECT_THAT(folder_.Read("c.md"),
+                AllOf(HasSubstr("| F1 | the same | thesis (1) | `f.glsl`: same | 1: `a`: one | "
+                                "expression | exact |\n"),
+                      HasSubstr("| F2 | another | thesis (2) | - | **missing** | - | - |\n")));
+    for (const char* chosen : {"a", "--gtest_filter=a/*"}) {
+        EXPECT_EQ(Run({chosen, "--catalogue", "c.md"}).status, 0);
+        EXPECT_THAT(folder_.Read("c.md"), Not(HasSubstr("F2")));
+    }
+    folder_.Write("cases/b/one.toml", "covers = [\"F2\"]\n" + Case("x"));
+    EXPECT_EQ(Run({"--catalogue", "c.md"}).status, 0);
+    EXPECT_THAT(Run({"--catalogue", "no/folder/c.md"}).err, StartsWith("etalon: --catalogue: "));
+
+    folder_.Write("cases/b/one.toml", "\ncovers = [\"F3\"]\n" + Case("x"));
+    const Finished unknown = Run({"--catalogue", "c.md"});
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_EQ(unknown.err, "etalon: cases/b/one.toml:2: 'covers': the catalogue has no F3\n");
+    EXPECT_EQ(Run({}).status, 0) << "no catalogue, no ids to know";
+}
+
 TEST_F(RunTest, ListNamesCasesByPrefixAndPattern) {
     EXPECT_EQ(Etalon({"list"}).out, "a/one\na/two\nab\nb/one\nwrong\n");
     EXPECT_EQ(Etalon({"list", "a"}).out, "a/one\na/two\n");

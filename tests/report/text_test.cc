@@ -1,11 +1,13 @@
 #include "report/text.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "report/records.h"
 
 namespace etalon {
 namespace {
+
+using testing::HasSubstr;
 
 TEST(ShortNumber, IsShort) {
     EXPECT_EQ(ShortNumber(0), "0");
@@ -182,6 +184,40 @@ TEST(DevicesText, ShowsWhatADeviceTells) {
     EXPECT_EQ(DevicesText(run, false), devices);
     EXPECT_EQ(DevicesText(run, true),
               devices + "not here: egl:zink: libEGL.so.1 is not installed\n");
+}
+
+TEST(SlowestText, SumsOverDevicesAndPreparation) {
+    RunRecord run;
+    run.records = {Passed(), Passed(), Refused()};
+    run.records[1].case_path = "a/quick";
+    run.records[1].seconds = 0.05;
+    run.records[2].device = "vulkan:silent@new";
+    run.cases.resize(2);
+    run.cases[0].path = "a/quick";
+    run.cases[0].seconds = 0.025;
+    run.cases[1].path = "optics/fresnel";
+    run.cases[1].seconds = 0.175;
+    EXPECT_EQ(SlowestText(run, 1),
+              " seconds    share  prepared  slowest of 2 cases, 0.5 s in all\n"
+              "   0.425   85.0 %     0.175  optics/fresnel\n");
+    EXPECT_THAT(SlowestText(run, 9), HasSubstr("\n   0.075   15.0 %     0.025  a/quick\n"));
+    EXPECT_EQ(SlowestText({}, 3),
+              " seconds    share  prepared  slowest of 0 cases, 0.0 s in all\n");
+}
+
+TEST(FiguresText, NamesWhatWasExpectedAndSeen) {
+    EXPECT_EQ(FiguresText(Passed()), "");
+    Record record = Refused();
+    EXPECT_EQ(FiguresText(record), "figure ulp 4 within 0.01, saw inf");
+    record.figures.push_back({"value 1 within 0.01", "1.001", true});
+    EXPECT_EQ(FiguresText(record),
+              "figure ulp 4 within 0.01, saw inf; figure value 1 within 0.01, saw 1.001");
+}
+
+TEST(FailureText, TellsHowManyRowsAQuickRunHasLeftOut) {
+    Record record = Refused();
+    record.all_rows = 5000;
+    EXPECT_THAT(FailureText(record), HasSubstr("(100 of 5000 rows, seed 7)"));
 }
 
 }  // namespace

@@ -1,0 +1,67 @@
+#include "run/listener.h"
+
+#include <iostream>
+#include <set>
+
+#include "base/format.h"
+#include "report/text.h"
+#include "run/progress.h"
+
+namespace etalon {
+namespace {
+
+class Listener : public ::testing::EmptyTestEventListener {
+  public:
+    Listener(const std::vector<Record>& records, bool verbose, int total)
+        : records_(records), verbose_(verbose), progress_(total) {}
+
+    void OnTestEnd(const ::testing::TestInfo& test) override {
+        if (test.result()->Failed()) {
+            progress_.Clear();
+            std::cout << Told(records_.back()) << "\n" << std::flush;
+        }
+        const std::string name = std::string(test.test_suite_name()) + "." + test.name();
+        if (verbose_) {
+            std::cout << (!records_.back().known_cause.empty() ? "known "
+                          : test.result()->Failed()            ? "fail "
+                          : test.result()->Skipped()           ? "skip "
+                                                               : "pass ")
+                      << name << format(" ({:.0f} ms)", 1000 * records_.back().seconds)
+                      << (records_.back().figures.empty() ? "" : " ")
+                      << FiguresText(records_.back()) << "\n";
+        }
+        progress_.Step(name);
+    }
+    void OnTestProgramEnd(const ::testing::UnitTest&) override { progress_.Clear(); }
+
+  private:
+    // The whole failure, or one line where the case has failed alike on another device: same input,
+    // same value.
+    std::string Told(const Record& record) {
+        if (record.worst && record.refused > 0) {
+            std::string same = record.case_path + record.worst->output + record.worst->actual.hex;
+            for (const auto& [name, value] : record.worst->inputs) {
+                same += name + value.hex;
+            }
+            if (!told_.insert(same).second) {
+                return record.case_path + " on " + record.device + " (" + record.recipe +
+                       "): fail, with the same input and value";
+            }
+        }
+        return FailureText(record);
+    }
+
+    const std::vector<Record>& records_;
+    bool verbose_;
+    Progress progress_;
+    std::set<std::string> told_;
+};
+
+}  // namespace
+
+std::unique_ptr<::testing::TestEventListener> MakeListener(const std::vector<Record>& records,
+                                                           bool verbose, int total) {
+    return std::make_unique<Listener>(records, verbose, total);
+}
+
+}  // namespace etalon
