@@ -108,7 +108,7 @@ vec3 get_light_vector(vec2 uv, TranslucentSurface surface)
         t = next;
         entry = crossing;
         ++crossings;
-        if (surface.light_way == TRANSLUCENT_LIGHT_REFRACTED) {
+        if (surface.light_way == TRANSLUCENT_LIGHT_REFRACTED && !at_end) {
             direction = under ? translucent_inner_direction(to_lamp, normal, surface) : to_lamp;
             if (direction.z <= 0.0) {
                 return vec3(0.0);

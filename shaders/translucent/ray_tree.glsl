@@ -61,7 +61,7 @@ RayTree trace_layers(vec4 indices, vec2 thickness, vec2 half_distance, float cos
     waiting_light[0] = vec2(0.5);
     waiting_face[0] = 0;
     waiting_down[0] = true;
-    for (int step = 0; step < RAY_TREE_MAX_RAYS && waiting > 0; ++step) {
+    for (int ray = 0; ray < RAY_TREE_MAX_RAYS && waiting > 0; ++ray) {
         --waiting;
         vec2 light = waiting_light[waiting];
         int at = waiting_face[waiting];
