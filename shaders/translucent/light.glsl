@@ -66,20 +66,29 @@ vec3 get_light_vector(vec2 uv, TranslucentSurface surface)
         return vec3(0.0);
     }
     bool under = relief_height(translucent_height(start)) > point.z;
-    vec3 direction = to_lamp;
-    if (under) {
-        direction = translucent_inner_direction(
-            to_lamp, translucent_direction(translucent_normal(start)), surface);
-    }
+    vec3 normal = under ? translucent_direction(translucent_normal(start)) : vec3(0.0, 0.0, 1.0);
     int steps = relief_steps(surface.light_search.x);
     int most = steps * (TRANSLUCENT_MAX_CROSSINGS + 1);
-    ReliefRay ray = relief_ray(point, direction, surface.texture_per_height);
-    float way = ray.end / float(steps);
+    ReliefRay ray;
+    bool begins = true;
+    float way = 0.0;
     float t = 0.0;
     float entry = 0.0;
-    vec3 left = vec3(direction.z > 0.0 ? 1.0 : 0.0);
     int crossings = 0;
-    for (int i = 0; i < most && t < ray.end && left != vec3(0.0); ++i) {
+    vec3 left = vec3(1.0);
+    for (int i = 0; i < most && (begins || t < ray.end); ++i) {
+        if (begins) {
+            vec3 direction =
+                under ? translucent_inner_direction(to_lamp, normal, surface) : to_lamp;
+            if (direction.z <= 0.0) {
+                return vec3(0.0);
+            }
+            ray = relief_ray(point, direction, surface.texture_per_height);
+            way = ray.end / float(steps);
+            t = 0.0;
+            entry = 0.0;
+            begins = false;
+        }
         float next = t + way < 0.99999 * ray.end ? t + way : ray.end;
         bool at_end = next >= ray.end;
         vec2 gaps = relief_gaps(ray, next, RELIEF_BOTH);
@@ -93,13 +102,12 @@ vec3 get_light_vector(vec2 uv, TranslucentSurface surface)
         }
         // At the end the layer may be above the ray still: its face is there, and nothing between.
         float crossing = next;
-        if (!under) {
-            crossing = translucent_crossing(ray, t, next, surface.light_search.y);
-        } else if (gaps.x < 0.0) {
-            crossing = translucent_crossing(ray, next, t, surface.light_search.y);
+        if (gaps.x < 0.0 || !under) {
+            crossing = translucent_crossing(ray, under ? next : t, under ? t : next,
+                                            surface.light_search.y);
         }
-        vec3 at = relief_position(ray, crossing);
-        vec3 normal = translucent_direction(translucent_normal(at.xy));
+        point = relief_position(ray, crossing);
+        normal = translucent_direction(translucent_normal(point.xy));
         left *= fresnel_transmittance(surface.n1, surface.n2, abs(dot(normal, to_lamp)));
         if (under) {
             left *= beer_lambert(crossing - entry, surface.half_distance, surface.absorb_color);
@@ -108,16 +116,7 @@ vec3 get_light_vector(vec2 uv, TranslucentSurface surface)
         t = next;
         entry = crossing;
         ++crossings;
-        if (surface.light_way == TRANSLUCENT_LIGHT_REFRACTED && !at_end) {
-            direction = under ? translucent_inner_direction(to_lamp, normal, surface) : to_lamp;
-            if (direction.z <= 0.0) {
-                return vec3(0.0);
-            }
-            ray = relief_ray(at, direction, surface.texture_per_height);
-            way = ray.end / float(steps);
-            t = 0.0;
-            entry = 0.0;
-        }
+        begins = surface.light_way == TRANSLUCENT_LIGHT_REFRACTED && !at_end;
     }
     return left;
 }

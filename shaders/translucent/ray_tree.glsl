@@ -26,7 +26,7 @@ struct RayTree {
 // incoherent: energies add, each polarisation for itself. For a single slab the last two indices
 // are equal. Never more than 32 rays wait, nor are there more than 1024: what is beyond is cut.
 // Inputs are clamped as in slab.glsl, and none yields NaN. Error: 1e-6 beside the share that was
-// cut, and what the shares of the faces lose near the critical angle, whose cosines are rounded.
+// cut.
 // Costs one step of some 40 operations a ray; slab_shares is the closed form of the tree that is
 // never cut, for one slab.
 // Source: thesis section 4.1.2, which names the growth of the tree, and 3.2.2.
@@ -37,15 +37,20 @@ RayTree trace_layers(vec4 indices, vec2 thickness, vec2 half_distance, float cos
     float smallest = optics_limit(least, 0.0, 1.0);
     float cosine = optics_limit(cos_i, 0.0, 1.0);
 
-    // Faces and layers are met at the same angles each time: their shares are made once. A face
-    // above which nothing arrives reflects all.
+    // Faces and layers are met at the same angles each time: their shares are made once. Angles
+    // follow from the first by Snell's law whatever is between. A face's shares are the same from
+    // both sides, and exact from the thinner one; one behind which no light can be reflects all.
     vec4 face[3];
     float layer[2];
     bool open = true;
     for (int i = 0; i < 3; ++i) {
-        face[i] = open ? optics_fresnel(n[i], n[i + 1], cosine) : vec4(1.0, 1.0, 0.0, 0.0);
-        open = open && face[i].z > 0.0;
-        cosine = cos_transmitted(n[i], n[i + 1], cosine);
+        float behind = cos_transmitted(n.x, n[i + 1], cos_i);
+        open = open && !total_internal_reflection(n.x, n[i + 1], cos_i);
+        bool thinner = n[i + 1] < n[i];
+        face[i] = open ? optics_fresnel(thinner ? n[i + 1] : n[i], thinner ? n[i] : n[i + 1],
+                                        thinner ? behind : cosine)
+                       : vec4(1.0, 1.0, 0.0, 0.0);
+        cosine = behind;
         if (i < 2) {
             float way = optics_limit(thickness[i], 0.0, 1.0e30) / max(cosine, 1.0 / 4096.0);
             layer[i] = transmitted_fraction(way, half_distance[i]);
