@@ -15,6 +15,7 @@
 #include "oracle/shadow_map.h"
 #include "oracle/slab.h"
 #include "oracle/snell.h"
+#include "oracle/translucent.h"
 
 namespace etalon::oracle {
 
@@ -35,6 +36,7 @@ const std::vector<Function>& Functions() {
                  ShadowMapFunctions(),
                  SlabFunctions(),
                  SnellFunctions(),
+                 TranslucentFunctions(),
              }) {
             all.insert(all.end(), part.begin(), part.end());
         }

@@ -1,0 +1,35 @@
+// What is seen through the layer's face: the refracted ray, down to the solid.
+#ifndef ETALON_TRANSLUCENT_REFRACTION
+#define ETALON_TRANSLUCENT_REFRACTION
+
+#include "light.glsl"
+
+// Where the refracted ray from `entry`, a point of the translucent layer, meets the solid. The
+// search begins at the entry, so that no step is lost and nothing behind it is found; at
+// refraction_search.x steps of the way down to the box's floor, it takes 1 + x + y samples at most.
+// Later crossings of the translucent layer are not looked for. Error: that of find_layers.
+// Source: thesis section 4.1.2, appendix A.2.
+ReliefHit refraction_hit(vec3 entry, vec3 ray, TranslucentSurface surface)
+{
+    return find_layers(relief_ray(entry, ray, surface.texture_per_height), RELIEF_SOLID,
+                       surface.refraction_search.x, surface.refraction_search.y);
+}
+
+// The light that comes along that ray to the entry, without the face's share: the solid's, or the
+// surroundings' where the ray meets no solid that is on the surface, as it was before the layer
+// absorbed of it over the ray's way, a length in box heights. Error over flat layers: 2e-5 of the
+// light, and 4e-6 of the way in half distances.
+// Source: thesis section 4.1.2, appendix A.2.
+vec3 sample_refraction(vec3 entry, vec3 ray, TranslucentSurface surface)
+{
+    ReliefHit hit = refraction_hit(entry, ray, surface);
+    if (hit.layer == RELIEF_NONE || !translucent_on_surface(hit.position.xy, surface)) {
+        float way = relief_ray(entry, ray, surface.texture_per_height).end;
+        return translucent_environment(translucent_direction(ray), surface) *
+               beer_lambert(way, surface.half_distance, surface.absorb_color);
+    }
+    return assemble_surface_sample(hit.position.xy, surface) *
+           beer_lambert(hit.t, surface.half_distance, surface.absorb_color);
+}
+
+#endif
