@@ -1,9 +1,11 @@
 // ImageSource: where an image for a sampler comes from, and how it is read.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "bake/bake.h"
 #include "case/expression.h"
 #include "case/place.h"
 #include "image/image.h"
@@ -21,6 +23,7 @@ struct ImageSource {
     std::uint32_t height = 0;
     ImageShape shape = ImageShape::kFlat;
     bool levels = false;  // all of them, or one
+    std::optional<bake::Plan> bake;  // then the image is that map of what is read or computed
     Sampling sampling;
     Place place;
 };

@@ -20,8 +20,9 @@ class ImageReader {
     }
 
     Result<ImageSource> Read() {
-        ETALON_TRY_STEP(
-            reader_.OnlyKeys(table_, {"file", "expr", "size", "filter", "wrap", "levels", "cube"}));
+        ETALON_TRY_STEP(reader_.OnlyKeys(
+            table_, {"file", "expr", "size", "filter", "wrap", "levels", "cube", "bake", "slices",
+                     "bearings", "texels_per_height", "published", "scale", "level"}));
         if (table_.contains("file") == table_.contains("expr")) {
             return reader_.Fail(table_, what_ + ": needs either file or expr");
         }
@@ -39,6 +40,7 @@ class ImageReader {
         ETALON_TRY_STEP(ReadFiles());
         ETALON_TRY_STEP(ReadChannels());
         ETALON_TRY_STEP(ReadSize());
+        ETALON_TRY_STEP(ReadBake());
         return std::move(image_);
     }
 
@@ -147,6 +149,60 @@ class ImageReader {
         image_.width = static_cast<std::uint32_t>(width);
         image_.height = static_cast<std::uint32_t>(height);
         return Ok();
+    }
+
+    Status<> ReadBake() {
+        const toml::node* node = table_.get("bake");
+        for (const std::string_view key :
+             {"slices", "bearings", "texels_per_height", "published", "scale", "level"}) {
+            if (node == nullptr && table_.contains(key)) {
+                return reader_.Fail(*table_.get(key), What(key) + " belongs to bake");
+            }
+        }
+        if (node == nullptr) {
+            return Ok();
+        }
+        for (const std::string_view key : {"cube", "levels"}) {
+            if (table_.contains(key)) {
+                return reader_.Fail(*table_.get(key), What(key) + " has no meaning with bake");
+            }
+        }
+        ETALON_TRY(name, reader_.Text(*node, What("bake")));
+        const std::optional<bake::Kind> kind = bake::KindNamed(name);
+        if (!kind) {
+            return reader_.Fail(*node, What("bake") + " must be one of " + bake::KindNamesText());
+        }
+        bake::Plan plan;
+        plan.kind = *kind;
+        ETALON_TRY(published, FlagAt("published"));
+        plan.published = published;
+        ETALON_TRY_STEP(ReadCount("slices", plan.slices));
+        ETALON_TRY_STEP(ReadCount("bearings", plan.bearings));
+        ETALON_TRY(texels, NumberAt("texels_per_height"));
+        plan.texels_per_height = texels;
+        ETALON_TRY(scale, NumberAt("scale"));
+        plan.scale = scale.value_or(1);
+        ETALON_TRY(level, NumberAt("level"));
+        plan.level = level.value_or(image_.files.empty() ? 0 : bake::kFileLevel);
+        image_.bake = plan;
+        return Ok();
+    }
+
+    Status<> ReadCount(std::string_view key, std::optional<std::uint64_t>& count) const {
+        if (const toml::node* node = table_.get(key)) {
+            ETALON_TRY(value, reader_.Count(*node, What(key)));
+            count = value;
+        }
+        return Ok();
+    }
+
+    Result<std::optional<double>> NumberAt(std::string_view key) const {
+        const toml::node* node = table_.get(key);
+        if (node == nullptr) {
+            return std::optional<double>();
+        }
+        ETALON_TRY(value, reader_.Number(*node, What(key)));
+        return std::optional(value);
     }
 
     const TomlReader& reader_;

@@ -12,8 +12,11 @@
 #include <system_error>
 #include <thread>
 
+#include "bake/bake.h"
 #include "base/file.h"
 #include "base/format.h"
+#include "image/read.h"
+#include "image/write.h"
 #include "report/catalogue.h"
 #include "report/json.h"
 #include "report/text.h"
@@ -234,6 +237,27 @@ int Run(RunChoice choice, const std::string& root, const DeviceOptions& options,
     return catalogue == 0 && !outcome->good ? kVerdict : catalogue;
 }
 
+struct BakeChoice {
+    std::string kind;
+    std::string heights;
+    std::string out;
+    bake::Plan plan;
+};
+
+int Bake(BakeChoice choice) {
+    choice.plan.kind = *bake::KindNamed(choice.kind);
+    const Result<Image> heights = ReadImage(choice.heights);
+    if (!heights) {
+        return Complain(heights.error().message);
+    }
+    const Result<Image> map = bake::Bake(*heights, choice.plan);
+    if (!map) {
+        return Complain(choice.heights + ": " + map.error().message);
+    }
+    const Status<> written = WriteExr(choice.out, *map);
+    return written ? 0 : Complain(written.error().message);
+}
+
 // GoogleTest's flags go through untouched; CLI11 never sees them.
 std::vector<std::string> TakeGoogleTestFlags(std::vector<std::string>& arguments) {
     std::vector<std::string> taken;
@@ -357,6 +381,37 @@ int Main(std::vector<std::string> arguments) {
     probe->add_flag("--csv", probe_choice.csv, "CSV instead of a table");
     devices.AddTo(*probe);
 
+    CLI::App* bake = app.add_subcommand(
+        "bake", "Make a map that a search of a relief reads, from an image of its heights");
+    BakeChoice bake_choice;
+    bake_choice.plan.level = bake::kFileLevel;
+    bake->add_option("KIND", bake_choice.kind, "what to make")
+        ->required()
+        ->check(CLI::IsMember(
+            std::vector<std::string>(bake::KindNames().begin(), bake::KindNames().end())));
+    bake->add_option("HEIGHT", bake_choice.heights,
+                     "the image; its red channel, repeating and bilinear")
+        ->required();
+    bake->add_option("-o,--out", bake_choice.out, "the map, OpenEXR in binary32")
+        ->required()
+        ->type_name("OUT.exr");
+    bake->add_option("--slices", bake_choice.plan.slices, "of a distance map; default: 32")
+        ->type_name("N");
+    bake->add_option("--bearings", bake_choice.plan.bearings, "of a horizon map; default: 16")
+        ->type_name("K");
+    bake->add_option("--texels-per-height", bake_choice.plan.texels_per_height,
+                     "texels as long as the relief's box is high; default: a tenth of the width")
+        ->type_name("X");
+    bake->add_option("--scale", bake_choice.plan.scale,
+                     "z = scale * red + level, -0.5 to 0.5 in the box")
+        ->capture_default_str()
+        ->type_name("X");
+    bake->add_option("--level", bake_choice.plan.level, "see --scale")
+        ->capture_default_str()
+        ->type_name("X");
+    bake->add_flag("--published", bake_choice.plan.published,
+                   "a distance or cone map as published, not safe between its points");
+
     run_choice.gtest_arguments = TakeGoogleTestFlags(arguments);
     try {
         std::reverse(arguments.begin(), arguments.end());
@@ -373,6 +428,9 @@ int Main(std::vector<std::string> arguments) {
     }
     if (*list_devices) {
         return ListDevices(devices, devices_json, devices_all);
+    }
+    if (*bake) {
+        return Bake(bake_choice);
     }
     if (*list) {
         return List(root, patterns);

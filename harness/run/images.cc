@@ -113,6 +113,9 @@ Status<> Add(BoundImage bound, Call& call) {
 
 Result<Image> MakeImage(const ImageSource& source, const std::filesystem::path& base) {
     Result<Image> image = source.files.empty() ? Compute(source) : ReadFaces(source, base);
+    if (image && source.bake) {
+        image = bake::Bake(*image, *source.bake);
+    }
     if (!image) {
         return Error{source.place.Text() + "image '" + source.name + "': " + image.error().message};
     }

@@ -11,8 +11,8 @@
 
 namespace etalon {
 
-// Reads or computes the image; files are relative to `base`. Values of expressions are rounded to
-// binary32, and must be finite in it.
+// Reads or computes the image, and bakes the map of it that is asked for; files are
+// relative to `base`. Values of expressions are rounded to binary32, and must be finite in it.
 Result<Image> MakeImage(const ImageSource& source, const std::filesystem::path& base);
 
 // Adds images to the call; two for one sampler are an error.
