@@ -12,6 +12,7 @@
 #include "oracle/relief_fields.h"
 #include "oracle/relief_layers.h"
 #include "oracle/relief_texels.h"
+#include "oracle/shadow.h"
 #include "oracle/shadow_map.h"
 #include "oracle/slab.h"
 #include "oracle/snell.h"
@@ -33,6 +34,7 @@ const std::vector<Function>& Functions() {
                  ReliefFieldFunctions(),
                  ReliefLayerFunctions(),
                  ReliefTexelFunctions(),
+                 ShadowFunctions(),
                  ShadowMapFunctions(),
                  SlabFunctions(),
                  SnellFunctions(),
