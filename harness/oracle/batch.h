@@ -43,6 +43,11 @@ ETALON_STEP Pair Add(Pair a, Pair b) {
     return ExactSum(sum.high, sum.low + (a.low + b.low));
 }
 
+ETALON_STEP Pair Multiply(Pair a, Pair b) {
+    const Pair product = ExactProduct(a.high, b.high);
+    return ExactSum(product.high, product.low + (a.high * b.low + a.low * b.high));
+}
+
 // The scalar product of component k = 0..2 of a and b, given as columns, in one row.
 ETALON_STEP Pair Dot(const double* const* a, const double* const* b, std::size_t row) {
     return Add(Add(ExactProduct(a[0][row], b[0][row]), ExactProduct(a[1][row], b[1][row])),

@@ -23,16 +23,22 @@ ETALON_BATCH void Way(const double* const* in, double* const* out, std::size_t r
         const double n1 = in[6][row];
         const double n2 = in[7][row];
         const double d = in[8][row];
-        const double normal_square = Sum(Dot(n, n, row));
-        const double along = Sum(Dot(v, n, row)) / normal_square;
-        const double across_scale = n1 / std::sqrt(Sum(Dot(v, v, row)));
+        const Pair normal_square = Dot(n, n, row);
+        const Pair view_square = Dot(v, v, row);
+        const Pair view_normal = Dot(v, n, row);
+        const double view_length = std::sqrt(Sum(view_square));
+        const double along = Sum(view_normal) / Sum(normal_square);
+        const double across_scale = n1 / view_length;
         double ray[3];
         for (int k = 0; k < 3; ++k) {
             ray[k] = -across_scale * std::fma(-along, n[k][row], v[k][row]);
         }
-        const double along_scale = across_scale * along;
-        const double rest =
-            std::sqrt((n2 - n1) * (n2 + n1) / normal_square + along_scale * along_scale);
+        // Near the critical angle the two terms nearly cancel.
+        const Pair projection = Multiply({n1, 0}, view_normal);
+        const Pair square =
+            Add(Multiply(ExactProduct(n2 - n1, n2 + n1), Multiply(view_square, normal_square)),
+                Multiply(projection, projection));
+        const double rest = std::sqrt(Sum(square)) / (view_length * Sum(normal_square));
         for (int k = 0; k < 3; ++k) {
             ray[k] -= std::copysign(rest, along) * n[k][row];
         }
