@@ -162,4 +162,18 @@ vec3 assemble_surface_sample(vec2 uv, TranslucentSurface surface)
     return optics_limit(solid_color(at), 0.0, 1.0) * light;
 }
 
+// What a ray shows: `share`, per channel, of the solid's colour at uv, and `light` beside it.
+struct TranslucentSight {
+    vec3 share;
+    vec2 uv;
+    vec3 light;
+};
+
+vec3 translucent_sight_light(TranslucentSight sight, TranslucentSurface surface)
+{
+    return sight.light + (sight.share != vec3(0.0)
+                              ? sight.share * assemble_surface_sample(sight.uv, surface)
+                              : vec3(0.0));
+}
+
 #endif

@@ -27,14 +27,10 @@ vec3 reflection_hit(vec3 point, vec3 ray, TranslucentSurface surface)
     return vec3(hit.position.xy, hit.t);
 }
 
-// The light that the mirrored ray brings to the point, without the face's share: the solid's in the
-// light that reaches it where the ray meets it as surface.mirror says and there is surface, else
-// the surroundings'; and the highlight of the lamp, whose shadow is not looked for. normal is the
-// face's, eye the direction to the eye. Error over flat layers: 2e-5 of the light, and that of
-// half_vector_highlight.
-// Costs the light's way to the mirrored point, which the published form leaves out.
-// Source: thesis sections 4.1.3, 4.2.1, appendix A.2.
-vec3 sample_reflection(vec3 ray, vec3 point, vec3 normal, vec3 eye, TranslucentSurface surface)
+// What the mirrored ray shows: the solid where the ray meets it as surface.mirror says and there is
+// surface, else the surroundings; and the highlight of the lamp, whose shadow is not looked for.
+TranslucentSight reflection_sight(vec3 ray, vec3 point, vec3 normal, vec3 eye,
+                                  TranslucentSurface surface)
 {
     vec3 direction = translucent_direction(ray);
     vec3 local = vec3(0.0, 0.0, -1.0);
@@ -43,16 +39,27 @@ vec3 sample_reflection(vec3 ray, vec3 point, vec3 normal, vec3 eye, TranslucentS
     } else if (surface.mirror == TRANSLUCENT_MIRROR_SEARCH && direction.z < 0.0) {
         local = reflection_hit(point, direction, surface);
     }
-    vec3 seen = local.z >= 0.0 && translucent_on_surface(local.xy, surface)
-                    ? assemble_surface_sample(local.xy, surface)
-                    : translucent_environment(direction, surface);
     vec3 at = vec3(relief_finite(point.x, 65536.0), relief_finite(point.y, 65536.0),
                    relief_finite(point.z, 0.5));
-    float highlight = half_vector_highlight(translucent_direction(normal),
-                                            translucent_direction(eye),
-                                            translucent_to_lamp(at, surface), surface.gloss,
-                                            surface.strength);
-    return seen + translucent_light(surface.specular) * (highlight * translucent_fade(at, surface));
+    float highlight =
+        half_vector_highlight(translucent_direction(normal), translucent_direction(eye),
+                              translucent_to_lamp(at, surface), surface.gloss, surface.strength);
+    vec3 light = translucent_light(surface.specular) * (highlight * translucent_fade(at, surface));
+    if (local.z >= 0.0 && translucent_on_surface(local.xy, surface)) {
+        return TranslucentSight(vec3(1.0), local.xy, light);
+    }
+    return TranslucentSight(vec3(0.0), vec2(0.0),
+                            light + translucent_environment(direction, surface));
+}
+
+// The light that the mirrored ray brings to the point, without the face's share. normal is the
+// face's, eye the direction to the eye. Error over flat layers: 2e-5 of the light, and that of
+// half_vector_highlight.
+// Costs the light's way to the mirrored point, which the published form leaves out.
+// Source: thesis sections 4.1.3, 4.2.1, appendix A.2.
+vec3 sample_reflection(vec3 ray, vec3 point, vec3 normal, vec3 eye, TranslucentSurface surface)
+{
+    return translucent_sight_light(reflection_sight(ray, point, normal, eye, surface), surface);
 }
 
 #endif

@@ -15,21 +15,28 @@ ReliefHit refraction_hit(vec3 entry, vec3 ray, TranslucentSurface surface)
                        surface.refraction_search.x, surface.refraction_search.y);
 }
 
-// The light that comes along that ray to the entry, without the face's share: the solid's, or the
-// surroundings' where the ray meets no solid that is on the surface, as it was before the layer
-// absorbed of it over the ray's way, a length in box heights. Error over flat layers: 2e-5 of the
-// light, and 4e-6 of the way in half distances.
+// What that ray shows: the solid or, where it meets none that is on the surface, the surroundings,
+// less what the layer absorbs on the way.
+TranslucentSight refraction_sight(vec3 entry, vec3 ray, TranslucentSurface surface)
+{
+    ReliefHit hit = refraction_hit(entry, ray, surface);
+    bool solid = hit.layer != RELIEF_NONE && translucent_on_surface(hit.position.xy, surface);
+    float way = solid ? hit.t : relief_ray(entry, ray, surface.texture_per_height).end;
+    vec3 left = beer_lambert(way, surface.half_distance, surface.absorb_color);
+    if (solid) {
+        return TranslucentSight(left, hit.position.xy, vec3(0.0));
+    }
+    return TranslucentSight(vec3(0.0), vec2(0.0),
+                            left * translucent_environment(translucent_direction(ray), surface));
+}
+
+// The light that comes along that ray to the entry, without the face's share. Absorption counts over
+// the ray's way, a length in box heights; where the ray meets no solid it counts up to the box.
+// Error over flat layers: 2e-5 of the light, and 4e-6 of the way in half distances.
 // Source: thesis section 4.1.2, appendix A.2.
 vec3 sample_refraction(vec3 entry, vec3 ray, TranslucentSurface surface)
 {
-    ReliefHit hit = refraction_hit(entry, ray, surface);
-    if (hit.layer == RELIEF_NONE || !translucent_on_surface(hit.position.xy, surface)) {
-        float way = relief_ray(entry, ray, surface.texture_per_height).end;
-        return translucent_environment(translucent_direction(ray), surface) *
-               beer_lambert(way, surface.half_distance, surface.absorb_color);
-    }
-    return assemble_surface_sample(hit.position.xy, surface) *
-           beer_lambert(hit.t, surface.half_distance, surface.absorb_color);
+    return translucent_sight_light(refraction_sight(entry, ray, surface), surface);
 }
 
 #endif

@@ -1,38 +1,38 @@
-// What the eye sees of the waves, mirrored, exchanged, and without the translucent layer.
+// How what the eye sees of the waves differs where the scene is mirrored, where its layers are
+// exchanged, and from the solid alone. One call in a loop: programs of two take twice the time.
 #include "translucent/compose.glsl"
 
 TranslucentSurface surface();
 
-vec3 seen_as_it_is(vec2 uv, vec3 eye)
+// The mirrored scene is seen from the mirrored place, with the mirrored lamp.
+vec3 change_by_mirroring(vec2 uv, vec3 eye)
 {
-    return translucent_surface(uv, eye, surface()).rgb;
+    vec3 change = vec3(0.0);
+    for (int i = 0; i < 2; ++i) {
+        mirror_u = i == 0 ? 1.0 : -1.0;
+        TranslucentSurface seen = surface();
+        seen.lamp.x *= mirror_u;
+        change = translucent_surface(vec2(mirror_u * uv.x, uv.y), vec3(mirror_u * eye.x, eye.yz),
+                                     seen).rgb - change;
+    }
+    return change;
 }
 
-// The mirrored scene, from the mirrored place: the same.
-vec3 seen_mirrored(vec2 uv, vec3 eye)
+vec3 change_by_exchange(vec2 uv, vec3 eye)
 {
-    vec3 across = vec3(-1.0, 1.0, 1.0);
-    TranslucentSurface mirrored = surface();
-    mirrored.lamp.x = -mirrored.lamp.x;
-    mirror_u = -1.0;
-    vec3 seen = translucent_surface(vec2(-uv.x, uv.y), across * eye, mirrored).rgb;
-    mirror_u = 1.0;
-    return seen;
+    vec3 change = vec3(0.0);
+    for (int i = 0; i < 2; ++i) {
+        exchanged = i == 1;
+        change = translucent_surface(uv, eye, surface()).rgb - change;
+    }
+    return change;
 }
 
-vec3 seen_exchanged(vec2 uv, vec3 eye)
+// From the solid where the eye's ray meets it, whatever is above.
+vec3 change_by_layer(vec2 uv, vec3 eye)
 {
-    exchanged = true;
-    vec3 seen = translucent_surface(uv, eye, surface()).rgb;
-    exchanged = false;
-    return seen;
-}
-
-// The solid where the eye's ray meets it, whatever is above.
-vec3 seen_solid(vec2 uv, vec3 eye)
-{
-    ReliefRay ray = relief_view_ray(uv, eye, 0.1);
-    ReliefHit hit = find_layers(ray, RELIEF_SOLID, surface().view_search.x,
-                                surface().view_search.y);
-    return assemble_surface_sample(hit.position.xy, surface());
+    ReliefHit hit = find_layers(relief_view_ray(uv, eye, 0.1), RELIEF_SOLID,
+                                surface().view_search.x, surface().view_search.y);
+    return translucent_surface(uv, eye, surface()).rgb -
+           assemble_surface_sample(hit.position.xy, surface());
 }

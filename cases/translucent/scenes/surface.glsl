@@ -55,10 +55,3 @@ TranslucentSurface surface()
                               400.0, 10.0, LIGHT_WAY, MIRROR, PLANE, FRAME, VIEW_SEARCH,
                               REFRACTION_SEARCH, LIGHT_SEARCH);
 }
-
-TranslucentSurface surface_lit_from(vec3 to_lamp)
-{
-    TranslucentSurface lit = surface();
-    lit.lamp = vec4(to_lamp, 0.0);
-    return lit;
-}
