@@ -1,7 +1,9 @@
 // Relaxed cone stepping (Policarpo and Oliveira): cones that a falling ray enters the surface in at
 // most once, so that a hop to the border brackets the first crossing, and bisection finds it.
 //
-// Safe with the cones of `etalon bake relaxed-cone`. RELAXED_FIGURES
+// Safe with the cones of `etalon bake relaxed-cone`. Those are much wider than others only where
+// the surface rises to plateaus that are wider than the way to them: on bricks and noise a ray
+// saves one or two hops, and pays them back in bisections (7, 9, 13 and 22 hops on bricks).
 #ifndef ETALON_RELIEF_RELAXED_CONE
 #define ETALON_RELIEF_RELAXED_CONE
 
