@@ -2,9 +2,9 @@
 // passed whole, and in a cell the crossing with the bilinear surface is the root of a quadratic. No
 // step size, and nothing that is too thin to be found.
 //
-// On fields of waves, bricks, noise and ridges one texel wide, 500 rays of all bands each, every
-// hit is the first, within 1.1e-4 texels at 260 texels from the start. On bricks a ray visits 11,
-// 14, 15 and 18 blocks and cells at 0-45, 45-70, 70-85 and 85-89 degrees; the loop branches much.
+// On fields of waves, bricks, noise and ridges one texel wide, 20,000 rays of all bands each, every
+// hit is the first, within 7.3e-4 texels. On bricks a ray visits 11, 14, 15 and 18 blocks and cells
+// at 0-45, 45-70, 70-85 and 85-89 degrees; the loop branches much.
 #ifndef ETALON_RELIEF_MAX_MIP
 #define ETALON_RELIEF_MAX_MIP
 
