@@ -2,8 +2,8 @@
 // most once, so that a hop to the border brackets the first crossing, and bisection finds it.
 //
 // Safe with the cones of `etalon bake relaxed-cone`. Those are much wider than others only where
-// the surface rises to plateaus that are wider than the way to them: on bricks and noise a ray
-// saves one or two hops, and pays them back in bisections (7, 9, 13 and 22 hops on bricks).
+// the surface rises to plateaus that are wider than the way to them: on bricks a ray saves no hop,
+// on waves and noise one or two, fewer than its bisections.
 #ifndef ETALON_RELIEF_RELAXED_CONE
 #define ETALON_RELIEF_RELAXED_CONE
 
