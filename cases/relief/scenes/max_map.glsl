@@ -1,5 +1,5 @@
-// The cells of solid_map and their greatest heights from max_map; a square map, its sides a power of
-// two. Beside texels.glsl.
+// The cells of solid_map and their greatest heights from max_map; a square map, its sides a power
+// of two. Beside texels.glsl.
 #include "tiles.glsl"
 
 uniform highp sampler2D max_map;
