@@ -257,10 +257,11 @@ class CaseReader {
 
 Result<Case> ReadCase(const std::filesystem::path& root, const std::string& path) {
     const std::filesystem::path file = FileOf(root, path);
-    ETALON_TRY(table, ReadKeys(root, file));
+    ETALON_TRY(keys, ReadKeys(root, file));
     const TomlReader reader(file.string());
-    ETALON_TRY(read, CaseReader(reader, table).Read());
+    ETALON_TRY(read, CaseReader(reader, keys.table).Read());
     read.path = path;
+    read.like = keys.like;
     read.file = file;
     read.root = root;
     return std::move(read);

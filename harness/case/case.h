@@ -54,6 +54,7 @@ struct ExpectedFailure {
 
 struct Case {
     std::string path;  // "optics/fresnel/reflectance"
+    std::string like;  // the path of the case whose keys it has where it has none; empty: of none
     std::filesystem::path file;
     std::filesystem::path
         root;  // the folder that `source` and `with` are relative to (it holds cases/)

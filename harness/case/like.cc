@@ -67,9 +67,18 @@ bool IsPart(const fs::path& file) {
     return file.string().ends_with(".part.toml");
 }
 
-Result<toml::table> ReadKeys(const fs::path& root, const fs::path& file) {
+Result<Keys> ReadKeys(const fs::path& root, const fs::path& file) {
     std::vector<fs::path> likes;
-    return Read(root, file.lexically_normal(), likes);
+    ETALON_TRY(table, Read(root, file.lexically_normal(), likes));
+    Keys keys = {std::move(table), ""};
+    const auto other = std::find_if(likes.begin() + 1, likes.end(),
+                                    [](const fs::path& one) { return !IsPart(one); });
+    if (other != likes.end()) {
+        keys.like = other->lexically_relative((root / "cases").lexically_normal())
+                        .replace_extension()
+                        .generic_string();
+    }
+    return keys;
 }
 
 }  // namespace etalon

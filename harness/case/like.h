@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "case/toml_reader.h"
 
@@ -10,10 +11,15 @@ namespace etalon {
 // True for a file that is no case of its own and only serves others as `like`: "NAME.part.toml".
 bool IsPart(const std::filesystem::path& file);
 
+struct Keys {
+    toml::table table;
+    std::string like;  // the address of the first case whose keys these are too; empty: of none
+};
+
 // Reads the file, and for `like = "FILE.toml"` (relative to this file) or `like = "ADDRESS"` (below
 // root/cases) the keys of that file too, and so on. A key stands in place of the same key further
 // on; `covers` and `expected_failure` are their own case's alone. Every node knows the file that it
 // comes from. Fails where a file has a key that no case has, and where files are like each other.
-Result<toml::table> ReadKeys(const std::filesystem::path& root, const std::filesystem::path& file);
+Result<Keys> ReadKeys(const std::filesystem::path& root, const std::filesystem::path& file);
 
 }  // namespace etalon

@@ -11,9 +11,10 @@
 //     nor on the side of it that faces away from the light
 //
 // is the tangent of the angle between the direction to the light (of any length, in isotropic units
-// above the horizon, 2^-10 of the way or more aside; the light is farther than all of the surface) and the least one that the surface leaves free:
-// negative where the light's middle is hidden. The point is vec3(texture coordinates, z) on the
-// surface or above it; the level plane has no end. Heights are not clamped to the box.
+// above the horizon, 2^-10 of the way or more aside; the light is farther than all of the surface)
+// and the least one that the surface leaves free: negative where the light's middle is hidden. The
+// point is vec3(texture coordinates, z) on the surface or above it; the level plane has no end.
+// Heights are not clamped to the box.
 //
 //   shadow.disc(x)
 //     the share of a disc of radius 1 that lies on the near side of a straight edge x from its

@@ -66,6 +66,7 @@ TEST_F(LikeTest, TakesKeysFromFileToFile) {
     const auto hardened = ReadCase(root_, "hardened");
     ASSERT_TRUE(hardened) << hardened.error().message;
     EXPECT_EQ(hardened->seed, 7u);
+    EXPECT_EQ(hardened->like, "") << "a part is no case";
     EXPECT_EQ(hardened->description, "the hardened one");
     EXPECT_THAT(hardened->covers, ElementsAre("F1"));
 
@@ -77,6 +78,7 @@ accept = { absolute = 0.5 }
     const auto published = ReadCase(root_, "deep/published");
     ASSERT_TRUE(published) << published.error().message;
     EXPECT_EQ(published->path, "deep/published");
+    EXPECT_EQ(published->like, "hardened");
     EXPECT_EQ(published->source, "shaders/published.glsl");
     EXPECT_EQ(published->call, "f(x)");
     EXPECT_EQ(published->seed, 7u);
