@@ -96,6 +96,8 @@ Result<Call> CallOf(const Case& source, const Table& table) {
     for (const std::string& root : source.include) {
         call.include_roots.push_back(source.root / root);
     }
+    // All below the root may include each other.
+    call.include_roots.push_back(source.root);
     call.defines = source.define;
     ETALON_TRY_STEP(AddWith(source.with, source.root, call));
     ETALON_TRY_STEP(AddImages(source.images, source.root, call));

@@ -103,10 +103,23 @@ struct Request {
     std::uint64_t rows = 1;
 };
 
+// Whether the file lies below the current folder, and that is not all of the file system.
+bool IsBelowHere(const std::filesystem::path& file) {
+    std::error_code ignored;
+    const auto here = std::filesystem::weakly_canonical(".", ignored);
+    const auto path = std::filesystem::weakly_canonical(file, ignored);
+    return here.has_relative_path() &&
+           std::mismatch(here.begin(), here.end(), path.begin(), path.end()).first == here.end();
+}
+
 Result<Call> BaseCall(const ProbeChoice& choice) {
     Call call;
     call.source = choice.source;
     call.include_roots = choice.include;
+    // So may the files of a project whose folder the user stands in.
+    if (IsBelowHere(choice.source)) {
+        call.include_roots.emplace_back(".");
+    }
     for (const std::string& define : choice.defines) {
         const std::size_t equals = define.find('=');
         const std::string name = define.substr(0, equals);

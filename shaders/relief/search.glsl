@@ -124,8 +124,9 @@ ReliefHit search_layers(ReliefRay ray, int layers, int steps)
     return relief_hit(ray, bracket, bracket.t_below);
 }
 
-// The first encounter with either layer (thesis 4.1.1). Where both are met within one step it is the
-// one that is crossed first if heights run straight between the two samples, and the solid in a tie.
+// The first encounter with either layer (thesis 4.1.1). Where both are met within one step it is
+// the one that is crossed first if heights run straight between the two samples, and the solid in a
+// tie.
 ReliefHit search_intersection(ReliefRay ray, int steps)
 {
     return search_layers(ray, RELIEF_BOTH, steps);

@@ -57,7 +57,8 @@ vec3 environment_direction_in_box(vec3 position, vec3 direction, vec3 half_size)
 }
 
 // The same for surroundings at one distance from the centre, a sphere of that radius, 1e-3..1e4.
-// Error: 1e-6 per component.
+// Error: 1e-6 per component, over the cosine at which the ray meets the sphere: near it, along it,
+// a position's square has lost the distance to it in its rounding, and the error is up to 5e-4.
 vec3 environment_direction_in_sphere(vec3 position, vec3 direction, float radius)
 {
     float r = radius >= 1e-3 ? min(radius, 1e4) : 1e-3;

@@ -15,7 +15,8 @@ precision highp int;
 // Source: thesis appendix A.2, the decoding before each use of a normal.
 vec3 decode_normal(vec3 texel, bool flip_y)
 {
-    vec3 t = vec3(texel.x >= 0.0 ? min(texel.x, 1.0) : 0.0, texel.y >= 0.0 ? min(texel.y, 1.0) : 0.0,
+    vec3 t = vec3(texel.x >= 0.0 ? min(texel.x, 1.0) : 0.0,
+                  texel.y >= 0.0 ? min(texel.y, 1.0) : 0.0,
                   texel.z >= 0.0 ? min(texel.z, 1.0) : 0.0);
     vec3 d = t - 0.5;
     // Half a step of eight bits, and a little for the texture unit's own rounding.

@@ -1,15 +1,12 @@
 // Light that scatters on its way through a medium, imitated by maps that were blurred before.
 //
 // Level 0 is the map itself; level k has been blurred by a Gaussian of standard deviation
-// sigma_1 2^(k-1), in texture coordinates, and may be kept at size 2^(n-k) for a map of size 2^n, down
-// to one texel at level n. `vec3 blurred(vec2 uv, int level)` gives their colours.
+// sigma_1 2^(k-1), in texture coordinates, and may be kept at size 2^(n-k) for a map of size 2^n,
+// down to one texel at level n. `vec3 blurred(vec2 uv, int level)` gives their colours.
 #ifndef ETALON_TRANSLUCENT_SCATTERING
 #define ETALON_TRANSLUCENT_SCATTERING
 
-#ifdef GL_ES
-precision highp float;
-precision highp int;
-#endif
+#include "../post/hdr.glsl"
 
 vec3 blurred(vec2 uv, int level);
 
@@ -21,11 +18,10 @@ struct ScatteringLevel {
 };
 
 // Which levels stand for a blur of standard deviation sigma: the blend's variance is that of the
-// wanted blur, sigma^2 = (1 - blend) s_k^2 + blend s_(k+1)^2 with s_0 = 0. Wider blurs than the last
-// level's are that one. sigma and sigma_1 in the same unit, last level 0..16. A sigma that is
-// negative or no number is 0; sigma_1 counts as at least 2^-40 and at most 2^40.
-// Error of blend: 1e-6, and relative 1e-6 of the variance.
-// Source: thesis (20) and 3.2.3.
+// wanted blur, sigma^2 = (1 - blend) s_k^2 + blend s_(k+1)^2 with s_0 = 0. Wider blurs than the
+// last level's are that one. sigma and sigma_1 in the same unit, last level 0..16. A sigma that is
+// negative or no number is 0; sigma_1 counts as at least 2^-40 and at most 2^40. Error of blend:
+// 1e-6, and relative 1e-6 of the variance. Source: thesis (20) and 3.2.3.
 ScatteringLevel scattering_level(float sigma, float sigma_1, int last_level)
 {
     int last = clamp(last_level, 0, SCATTERING_MAX_LEVEL);
@@ -52,12 +48,13 @@ float scattering_sigma(float d, float spread)
     return (d > 0.0 ? min(d, 1048576.0) : 0.0) * (spread > 0.0 ? min(spread, 1048576.0) : 0.0);
 }
 
-// The colour at uv blurred by sigma.
+// The colour at uv blurred by sigma; what the maps give counts as radiance, see hdr.glsl, so that
+// the result is a number.
 vec3 scattered(vec2 uv, float sigma, float sigma_1, int last_level)
 {
     ScatteringLevel at = scattering_level(sigma, sigma_1, last_level);
-    vec3 sharp = blurred(uv, at.level);
-    return at.blend > 0.0 ? mix(sharp, blurred(uv, at.level + 1), at.blend) : sharp;
+    vec3 sharp = post_radiance(blurred(uv, at.level));
+    return at.blend > 0.0 ? mix(sharp, post_radiance(blurred(uv, at.level + 1)), at.blend) : sharp;
 }
 
 #endif
