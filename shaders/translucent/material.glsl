@@ -11,8 +11,8 @@
 // layer's inner side counts as part of the ambient light, whatever the layer absorbs.
 //
 // No input and no scene yields NaN or infinity: a normal or direction that is none counts as
-// (0, 0, 1), colours of the solid count as 0 .. 1, amounts of light as 0 .. 65536 and what is seen of
-// the surroundings as 0 .. 2^40, a NaN as the bound on the side of its sign bit.
+// (0, 0, 1), colours of the solid count as 0 .. 1, amounts of light as 0 .. 65536 and what is seen
+// of the surroundings as 0 .. 2^40, a NaN as the bound on the side of its sign bit.
 #ifndef ETALON_TRANSLUCENT_MATERIAL
 #define ETALON_TRANSLUCENT_MATERIAL
 
