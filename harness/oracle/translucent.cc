@@ -24,8 +24,10 @@ Passage Pass(const double* const* in, const double* const* layer, std::size_t ro
     const Pair square_length = Dot(in, in, row);
     const double cosine = in[2][row] / std::sqrt(square_length.high + square_length.low);
     const Shares face = FresnelShares(n1, n2, {cosine, 0});
-    Passage passage = {cosine, 0.5 * (face.s_reflected + face.p_reflected),
-                       0.5 * (face.s_transmitted + face.p_transmitted), {}};
+    Passage passage = {cosine,
+                       0.5 * (face.s_reflected + face.p_reflected),
+                       0.5 * (face.s_transmitted + face.p_transmitted),
+                       {}};
     const double square = TransmittedSquare(n1, n2, {cosine, 0});
     if (square > 0) {
         const double halvings = layer[2][row] * n2 / std::sqrt(square) / layer[3][row];
@@ -59,9 +61,8 @@ void Flat(const double* const* in, double* const* out, std::size_t rows) {
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const double light =
                 ambient[channel][row] + diffuse[channel][row] * lit * lamp.left[channel];
-            out[channel][row] =
-                eye.reflected * sky[channel][row] +
-                eye.transmitted * eye.left[channel] * albedo[channel][row] * light;
+            out[channel][row] = eye.reflected * sky[channel][row] +
+                                eye.transmitted * eye.left[channel] * albedo[channel][row] * light;
         }
     }
 }
@@ -79,7 +80,7 @@ std::vector<Function> TranslucentFunctions() {
           {"absorb_color", 3}},
          3,
          Light,
-         1e-12,
+         2e-13,
          0},
         {"translucent.flat",
          {{"to_eye", 3},
@@ -95,7 +96,7 @@ std::vector<Function> TranslucentFunctions() {
           {"diffuse", 3}},
          3,
          Flat,
-         1e-12,
+         2e-13,
          0},
     };
 }

@@ -31,8 +31,13 @@ vec2 ray_tree_cross(vec2 light, float left, float least, inout RayTree tree)
     return vec2(0.0);
 }
 
+<<<<<<< HEAD
 // The shares of a face for light of both polarisations that comes at these cosines before and
 // behind it. They are the same from both sides, and exact from the thinner one.
+=======
+// The shares of a face for light of both polarisations, with these cosines before it and behind.
+// They are the same from both sides, and exact from the thinner one.
+>>>>>>> main
 vec4 ray_tree_face(float n_before, float n_behind, float before, float behind)
 {
     bool thinner = n_behind < n_before;
@@ -47,7 +52,7 @@ vec4 ray_tree_face(float n_before, float n_behind, float before, float behind)
 // stack of rays that wait. A ray that carries less than `least` of the light, 0 .. 1, is cut, and
 // all are after 512 generations. The layers are wide, so that light is incoherent: energies add,
 // each polarisation for itself. For a single slab the last two indices are equal.
-// Inputs are clamped as in slab.glsl, and none yields NaN. Error: 1e-6 beside the share that was
+// Inputs are clamped as in slab.glsl, and none yields NaN. Error: 5e-7 beside the share that was
 // cut. slab_shares is the closed form of the tree that is never cut, for one slab.
 // Source: thesis section 4.1.2, which names the growth of the tree, and 3.2.2.
 RayTree trace_layers(vec4 indices, vec2 thickness, vec2 half_distance, float cos_i, float least)

@@ -19,8 +19,12 @@ vec3 reflection_position(vec3 point, vec3 ray, TranslucentSurface surface)
     return t >= 0.0 ? vec3(relief_position(along, t).xy, t) : vec3(along.start.xy, -1.0);
 }
 
+<<<<<<< HEAD
 // The same by a search of the solid layer, which costs 1 + refraction_search.x + .y samples at
 // most.
+=======
+// The same by a search of the solid, which costs 1 + refraction_search.x + .y samples at most.
+>>>>>>> main
 vec3 reflection_hit(vec3 point, vec3 ray, TranslucentSurface surface)
 {
     ReliefHit hit = find_layers(relief_ray(point, ray, surface.texture_per_height), RELIEF_SOLID,
@@ -54,7 +58,7 @@ TranslucentSight reflection_sight(vec3 ray, vec3 point, vec3 normal, vec3 eye,
 }
 
 // The light that the mirrored ray brings to the point, without the face's share. normal is the
-// face's, eye the direction to the eye. Error over flat layers: 2e-5 of the light, and that of
+// face's, eye the direction to the eye. Error over flat layers: 3e-7 of the light, and that of
 // half_vector_highlight.
 // Costs the light's way to the mirrored point, which the published form leaves out.
 // Source: thesis sections 4.1.3, 4.2.1, appendix A.2.

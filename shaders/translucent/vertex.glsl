@@ -17,8 +17,8 @@ struct TranslucentVertex {
 // directions of the texture's u and v and the normal as unit columns at right angles, height is a
 // box height in object space, at least 1e-6. Takes no built-in variable, and leaves the lights'
 // colours to the fragment, as they do not vary. Components count as +-2^40 at most, a NaN as the
-// bound on the side of its sign bit, those of the matrix too; no input yields NaN. Error: 4e-7 of
-// the distances.
+// bound on the side of its sign bit, those of the matrix too; no input yields NaN. Error: 4e-7
+// of the distances.
 // Source: thesis appendix A.1, whose directions the application prepares.
 TranslucentVertex translucent_vertex(mat4 object_to_clip, vec3 position, vec2 uv, mat3 frame,
                                      float height, vec3 eye, vec4 lamp)

@@ -119,8 +119,9 @@ TEST(Translucent, NothingPassesATotallyReflectingFace) {
         AddColor(row, random);
         rows.push_back(row);
     }
-    const Worst worst = Compare(*FindFunction("translucent.light"), rows,
-                                [](const Row&) { return std::vector<Big>{0, 0, 0}; });
+    const Worst worst = Compare(*FindFunction("translucent.light"), rows, [](const Row&) {
+        return std::vector<Big>{0, 0, 0};
+    });
     EXPECT_EQ(worst.used, 0) << worst.Text();
 }
 

@@ -1,5 +1,5 @@
 // How what the eye sees of the waves differs where the scene is mirrored, where its layers are
-// exchanged, and from the solid alone. One call in a loop: programs of two take twice the time.
+// exchanged, and from the solid alone.
 #include "translucent/compose.glsl"
 
 TranslucentSurface surface();
@@ -7,25 +7,18 @@ TranslucentSurface surface();
 // The mirrored scene is seen from the mirrored place, with the mirrored lamp.
 vec3 change_by_mirroring(vec2 uv, vec3 eye)
 {
-    vec3 change = vec3(0.0);
-    for (int i = 0; i < 2; ++i) {
-        mirror_u = i == 0 ? 1.0 : -1.0;
-        TranslucentSurface seen = surface();
-        seen.lamp.x *= mirror_u;
-        change = translucent_surface(vec2(mirror_u * uv.x, uv.y), vec3(mirror_u * eye.x, eye.yz),
-                                     seen).rgb - change;
-    }
-    return change;
+    TranslucentSurface seen = surface();
+    vec3 change = translucent_surface(uv, eye, seen).rgb;
+    mirror_u = -1.0;
+    seen.lamp.x = -seen.lamp.x;
+    return translucent_surface(vec2(-uv.x, uv.y), vec3(-eye.x, eye.yz), seen).rgb - change;
 }
 
 vec3 change_by_exchange(vec2 uv, vec3 eye)
 {
-    vec3 change = vec3(0.0);
-    for (int i = 0; i < 2; ++i) {
-        exchanged = i == 1;
-        change = translucent_surface(uv, eye, surface()).rgb - change;
-    }
-    return change;
+    vec3 change = translucent_surface(uv, eye, surface()).rgb;
+    exchanged = true;
+    return translucent_surface(uv, eye, surface()).rgb - change;
 }
 
 // From the solid where the eye's ray meets it, whatever is above.

@@ -2,7 +2,7 @@
 #include "relief/search.glsl"
 #include "translucent/normal.glsl"
 
-uniform highp sampler2D height_map;  // the solid's height in the first channel, the layer's in the second
+uniform highp sampler2D height_map;  // the heights of the solid and of the layer
 uniform highp sampler2D solid_normal_map;
 uniform highp sampler2D translucent_normal_map;
 uniform highp sampler2D color_map;

@@ -1,5 +1,5 @@
-// A solid with a bump beside a place, before u = 0.5, whose heights are counted where they are asked
-// for behind a point and a direction.
+// A solid with a bump before u = 0.5, which counts how often its height is asked for behind the
+// point (0.5, 0.5).
 
 #ifdef GL_ES
 precision highp float;
