@@ -6,8 +6,7 @@
 #include "../optics/absorption.glsl"
 #include "../optics/fresnel.glsl"
 
-// Rays that wait, and rays in all. A ray leaves at most one waiting.
-const int RAY_TREE_DEPTH = 32;
+// Rays in all.
 const int RAY_TREE_MAX_RAYS = 1024;
 
 // Shares of the light that came, which sum to 1.
@@ -19,16 +18,47 @@ struct RayTree {
     int rays;   // how many there were, the first one included
 };
 
+// A face's shares are the same from both sides, and exact from the thinner one; one behind which no
+// light can be reflects all.
+vec4 ray_tree_face(float n1, float n2, float cos_before, float cos_behind, bool open)
+{
+    bool thinner = n2 < n1;
+    return open ? optics_fresnel(thinner ? n2 : n1, thinner ? n1 : n2,
+                                 thinner ? cos_behind : cos_before)
+                : vec4(1.0, 1.0, 0.0, 0.0);
+}
+
+float ray_tree_layer(float thickness, float half_distance, float cosine)
+{
+    float way = optics_limit(thickness, 0.0, 1.0e30) / max(cosine, 1.0 / 4096.0);
+    return transmitted_fraction(way, half_distance);
+}
+
+// A ray that leaves one face, as it arrives at the next; zero where it is cut.
+vec2 ray_tree_arrival(vec2 light, float left, float least, inout RayTree tree)
+{
+    vec2 arriving = light * left;
+    float amount = arriving.x + arriving.y;
+    tree.absorbed += (light.x - arriving.x) + (light.y - arriving.y);
+    if (amount < least || amount <= 0.0 || tree.rays == RAY_TREE_MAX_RAYS) {
+        tree.cut += amount;
+        return vec2(0.0);
+    }
+    ++tree.rays;
+    return arriving;
+}
+
 // Two layers between two media, three faces. The four indices are those of the media from where the
 // light comes to where it goes; thickness, half_distance (absorption.glsl) and the components of
-// what is below are those of the two layers; cos_i is the cosine in the first medium. A ray that
-// carries less than `least` of the light, 0 .. 1, is cut. As wide layers are, the stack is
-// incoherent: energies add, each polarisation for itself. For a single slab the last two indices
-// are equal. Never more than 32 rays wait, nor are there more than 1024: what is beyond is cut.
-// Inputs are clamped as in slab.glsl, and none yields NaN. Error: 1e-6 beside the share that was
-// cut.
-// Costs one step of some 40 operations a ray; slab_shares is the closed form of the tree that is
-// never cut, for one slab.
+// what is below are those of the two layers; cos_i is the cosine in the first medium. Branches that
+// meet at one face, on one side and after equally many faces, go on as one ray. A ray that carries
+// less than `least` of the light, 0 .. 1, is cut. As wide layers are, the stack is incoherent:
+// energies add, each polarisation for itself. For a single slab the last two indices are equal.
+// There are never more than 1024 rays: what is beyond is cut. Inputs are clamped as in slab.glsl, and
+// none yields NaN. Error: 1e-6 beside the share that was cut.
+// Costs one step of some 15 operations a ray; slab_shares is the closed form of the tree that is
+// never cut, for one slab. No array: softpipe (Mesa 22.3) stores to an indexed element of one of
+// four neighbouring rows in all of them, and zink cannot compile a stack of rays that wait.
 // Source: thesis section 4.1.2, which names the growth of the tree, and 3.2.2.
 RayTree trace_layers(vec4 indices, vec2 thickness, vec2 half_distance, float cos_i, float least)
 {
@@ -38,64 +68,43 @@ RayTree trace_layers(vec4 indices, vec2 thickness, vec2 half_distance, float cos
     float cosine = optics_limit(cos_i, 0.0, 1.0);
 
     // Faces and layers are met at the same angles each time: their shares are made once. Angles
-    // follow from the first by Snell's law whatever is between. A face's shares are the same from
-    // both sides, and exact from the thinner one; one behind which no light can be reflects all.
-    vec4 face[3];
-    float layer[2];
-    bool open = true;
-    for (int i = 0; i < 3; ++i) {
-        float behind = cos_transmitted(n.x, n[i + 1], cos_i);
-        open = open && !total_internal_reflection(n.x, n[i + 1], cos_i);
-        bool thinner = n[i + 1] < n[i];
-        face[i] = open ? optics_fresnel(thinner ? n[i + 1] : n[i], thinner ? n[i] : n[i + 1],
-                                        thinner ? behind : cosine)
-                       : vec4(1.0, 1.0, 0.0, 0.0);
-        cosine = behind;
-        if (i < 2) {
-            float way = optics_limit(thickness[i], 0.0, 1.0e30) / max(cosine, 1.0 / 4096.0);
-            layer[i] = transmitted_fraction(way, half_distance[i]);
-        }
-    }
+    // follow from the first by Snell's law whatever is between.
+    float upper_cosine = cos_transmitted(n.x, n.y, cosine);
+    float lower_cosine = cos_transmitted(n.x, n.z, cosine);
+    bool upper_open = !total_internal_reflection(n.x, n.y, cosine);
+    bool lower_open = upper_open && !total_internal_reflection(n.x, n.z, cosine);
+    bool last_open = lower_open && !total_internal_reflection(n.x, n.w, cosine);
+    vec4 top = ray_tree_face(n.x, n.y, cosine, upper_cosine, upper_open);
+    vec4 middle = ray_tree_face(n.y, n.z, upper_cosine, lower_cosine, lower_open);
+    vec4 bottom = ray_tree_face(n.z, n.w, lower_cosine, cos_transmitted(n.x, n.w, cosine),
+                                last_open);
+    float upper = ray_tree_layer(thickness.x, half_distance.x, upper_cosine);
+    float lower = ray_tree_layer(thickness.y, half_distance.y, lower_cosine);
 
-    // A ray arrives at a face from above (down) or below it, with the light of both polarisations.
-    vec2 waiting_light[RAY_TREE_DEPTH];
-    int waiting_face[RAY_TREE_DEPTH];
-    bool waiting_down[RAY_TREE_DEPTH];
+    // The light of both polarisations that arrives at a face from above (down) or below it (up).
     RayTree tree = RayTree(0.0, 0.0, 0.0, 0.0, 1);
-    int waiting = 1;
-    waiting_light[0] = vec2(0.5);
-    waiting_face[0] = 0;
-    waiting_down[0] = true;
-    for (int ray = 0; ray < RAY_TREE_MAX_RAYS && waiting > 0; ++ray) {
-        --waiting;
-        vec2 light = waiting_light[waiting];
-        int at = waiting_face[waiting];
-        bool down = waiting_down[waiting];
-        for (int part = 0; part < 2; ++part) {
-            bool mirrored = part == 0;
-            vec2 share = light * (mirrored ? face[at].xy : face[at].zw);
-            bool goes_down = down != mirrored;
-            int next = goes_down ? at + 1 : at - 1;
-            float amount = share.x + share.y;
-            if (next < 0) {
-                tree.reflected += amount;
-            } else if (next > 2) {
-                tree.transmitted += amount;
-            } else {
-                vec2 arriving = share * layer[goes_down ? at : at - 1];
-                tree.absorbed += (share.x - arriving.x) + (share.y - arriving.y);
-                amount = arriving.x + arriving.y;
-                if (amount < smallest || amount <= 0.0 || waiting == RAY_TREE_DEPTH ||
-                    tree.rays == RAY_TREE_MAX_RAYS) {
-                    tree.cut += amount;
-                } else {
-                    waiting_light[waiting] = arriving;
-                    waiting_face[waiting] = next;
-                    waiting_down[waiting] = goes_down;
-                    ++waiting;
-                    ++tree.rays;
-                }
-            }
+    vec2 down_top = vec2(0.5);
+    vec2 up_top = vec2(0.0);
+    vec2 down_middle = vec2(0.0);
+    vec2 up_middle = vec2(0.0);
+    vec2 down_bottom = vec2(0.0);
+    for (int faces = 0; faces < RAY_TREE_MAX_RAYS; ++faces) {
+        vec2 reflected = down_top * top.xy + up_top * top.zw;
+        vec2 transmitted = down_bottom * bottom.zw;
+        tree.reflected += reflected.x + reflected.y;
+        tree.transmitted += transmitted.x + transmitted.y;
+        vec2 upper_down = down_top * top.zw + up_top * top.xy;
+        vec2 upper_up = down_middle * middle.xy + up_middle * middle.zw;
+        vec2 lower_down = down_middle * middle.zw + up_middle * middle.xy;
+        vec2 lower_up = down_bottom * bottom.xy;
+        down_top = vec2(0.0);
+        down_middle = ray_tree_arrival(upper_down, upper, smallest, tree);
+        up_top = ray_tree_arrival(upper_up, upper, smallest, tree);
+        down_bottom = ray_tree_arrival(lower_down, lower, smallest, tree);
+        up_middle = ray_tree_arrival(lower_up, lower, smallest, tree);
+        vec2 left = (down_middle + up_top) + (down_bottom + up_middle);
+        if (left.x + left.y <= 0.0) {
+            break;
         }
     }
     return tree;
