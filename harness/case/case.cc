@@ -59,6 +59,14 @@ class CaseReader {
     }
 
   private:
+    // "shaders" of "shaders/optics/snell.glsl": the topics of one collection may include each
+    // other.
+    static std::vector<std::string> FirstFolder(const std::filesystem::path& source) {
+        const std::string first = source.empty() ? "" : source.begin()->string();
+        const bool below = source.is_relative() && first != ".." && first != source;
+        return below ? std::vector<std::string>{first} : std::vector<std::string>{};
+    }
+
     Status<> ReadCall() {
         ETALON_TRY(description, reader_.TextAt(table_, "description", ""));
         ETALON_TRY(source, reader_.TextAt(table_, "source", std::nullopt));
@@ -76,6 +84,9 @@ class CaseReader {
                 ETALON_TRY(texts, reader_.Texts(*node, "'" + std::string(key) + "'"));
                 *list = texts;
             }
+        }
+        if (!table_.contains("include")) {
+            case_.include = FirstFolder(source);
         }
         const std::pair<const char*, std::map<std::string, std::string>*> maps[] = {
             {"define", &case_.define}, {"out", &case_.out}};

@@ -54,8 +54,8 @@ vec2 ray_tree_arrival(vec2 light, float left, float least, inout RayTree tree)
 // meet at one face, on one side and after equally many faces, go on as one ray. A ray that carries
 // less than `least` of the light, 0 .. 1, is cut. As wide layers are, the stack is incoherent:
 // energies add, each polarisation for itself. For a single slab the last two indices are equal.
-// There are never more than 1024 rays: what is beyond is cut. Inputs are clamped as in slab.glsl, and
-// none yields NaN. Error: 1e-6 beside the share that was cut.
+// There are never more than 1024 rays: what is beyond is cut. Inputs are clamped as in slab.glsl,
+// and none yields NaN. Error: 1e-6 beside the share that was cut.
 // Costs one step of some 15 operations a ray; slab_shares is the closed form of the tree that is
 // never cut, for one slab. No array: softpipe (Mesa 22.3) stores to an indexed element of one of
 // four neighbouring rows in all of them, and zink cannot compile a stack of rays that wait.

@@ -177,6 +177,20 @@ TEST_F(CaseTest, SaysWhereWhatIsWrong) {
     EXPECT_THAT(missing.error().message, HasSubstr("absent.toml: No such file"));
 }
 
+TEST_F(CaseTest, MayIncludeFromTheFirstFolderOfItsSource) {
+    const auto include = [this](const std::string& source) {
+        const auto read =
+            Read("source = \"" + source +
+                 "\"\ncall = \"f(x, v)\"\noracle = \"x\"\naccept = { ulp = 2 }\n" + kDomain);
+        EXPECT_TRUE(read) << read.error().message;
+        return read ? read->include : std::vector<std::string>{};
+    };
+    EXPECT_THAT(include("shaders/optics/fresnel.glsl"), ElementsAre("shaders"));
+    EXPECT_THAT(include("f.glsl"), ElementsAre());
+    EXPECT_THAT(include("../other/f.glsl"), ElementsAre());
+    EXPECT_THAT(include("/other/f.glsl"), ElementsAre());
+}
+
 TEST_F(CaseTest, RefusesWrongInputs) {
     const auto input = [this](const std::string& text) {
         return Complaint(kHead + "[domain]\nv = { sample = \"sphere\", count = 1 }\nx = " + text +
