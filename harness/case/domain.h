@@ -13,17 +13,17 @@
 
 namespace etalon {
 
-// One input of the call and how its values are made (exactly one of values, range, sample "sphere"
-// or "hemisphere", and expr).
+// One input of the call and how its values are made (exactly one of values, range, sample "sphere",
+// "hemisphere" or "any", and expr).
 struct Input {
     std::string name;
     std::string type = "float";               // GLSL: scalar, vector or matrix
     std::vector<std::vector<double>> values;  // each of as many components as the type has
     std::optional<std::pair<double, double>> range;
-    std::string sample;   // "bits" (default for a range), "linear", "log", "sphere", "hemisphere"
-    std::string against;  // hemisphere: the vector that this one opposes, dot <= 0
-    std::uint64_t count = 0;         // samples beside edges, ends and other special values
-    std::uint64_t full = 0;          // the count of a deep run; 0: the same
+    std::string sample;       // of a range "bits" (default), "linear", "log"; else as in cases
+    std::string against;      // hemisphere: the vector that this one opposes, dot <= 0
+    std::uint64_t count = 0;  // samples beside edges, ends and other special values
+    std::uint64_t full = 0;   // the count of a deep run; 0: the same
     std::vector<Expression> edges;   // both sides of each boundary, over the other inputs
     std::optional<Expression> expr;  // computed from the other inputs, rounded to the type
     int line = 0;
@@ -73,10 +73,10 @@ struct Table {
 // Every combination: nested loops in the order of the inputs, the first outermost; an input that
 // depends on others stands inside them. A range has `count` samples, one per stratum, and the
 // landmarks of its spacing (see sampling.h), ascending; a sphere its axes, a hemisphere the normal
-// and three nearly grazing directions before the samples.
-// Side by side (zip): a range or sphere has exactly `count` values in random order; a list of one
-// value stands beside every row; edges cannot be had.
-// A vector's range draws each component by itself, `count` values in all.
+// and three nearly grazing directions before the samples; "any" is told in any_bits.h.
+// Side by side (zip): a range, sphere or "any" has exactly `count` values in random order; a list
+// of one value stands beside every row; edges cannot be had. A vector's range draws each component
+// by itself, `count` values in all.
 Result<Table> Expand(const std::vector<Domain>& domains, std::uint64_t seed);
 
 // The columns of a variable of a basic GLSL type: "v.x", "v.y"; "m[0].x" (column 0, row x) for

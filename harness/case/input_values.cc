@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "case/any_bits.h"
 #include "numeric/sampling.h"
 #include "numeric/ulp.h"
 
@@ -195,6 +196,9 @@ Result<ValueList> OwnValues(const Input& input, std::uint64_t seed, bool side_by
     ETALON_TRY(shape, ShapeOf(input.type));
     if (input.count > kMostValues) {
         return Error{"a count of more than 2^24"};
+    }
+    if (input.sample == "any") {
+        return AnyBits(shape, input.count, seed, side_by_side);
     }
     if (input.sample == "sphere") {
         return Directions(input, shape, seed, side_by_side);

@@ -33,8 +33,8 @@ struct ValueList {
 // does not overflow, and rounds it.
 Result<std::uint32_t> WordOf(Scalar scalar, double value);
 
-// The values of an input, edges aside; it must have values, a range, or sample "sphere". With
-// `side_by_side` a range or sphere has exactly `count` values, shuffled. The error is the reason
+// The values of an input, edges aside; it must have values, a range, or sample "sphere" or "any".
+// With `side_by_side` all but listed values are exactly `count`, shuffled. The error is the reason
 // alone.
 Result<ValueList> OwnValues(const Input& input, std::uint64_t seed, bool side_by_side);
 

@@ -37,6 +37,8 @@ class InputReader {
 
   private:
     bool IsDirection() const { return input_.sample == "sphere" || input_.sample == "hemisphere"; }
+    // Whose sample stands by itself, without a range.
+    bool IsSource() const { return IsDirection() || input_.sample == "any"; }
     Error Fail(const std::string& reason) const {
         return reader_.Fail(table_, what_ + ": " + reason);
     }
@@ -49,10 +51,11 @@ class InputReader {
         }
         ETALON_TRY(sample, reader_.Text(*node, What("sample")));
         input_.sample = sample;
-        constexpr std::string_view kKnown[] = {"bits", "linear", "log", "sphere", "hemisphere"};
+        constexpr std::string_view kKnown[] = {"bits",   "linear",     "log",
+                                               "sphere", "hemisphere", "any"};
         if (std::find(std::begin(kKnown), std::end(kKnown), sample) == std::end(kKnown)) {
             return reader_.Fail(
-                *node, What("sample") + " must be bits, linear, log, sphere or hemisphere");
+                *node, What("sample") + " must be bits, linear, log, sphere, hemisphere or any");
         }
         return Ok();
     }
@@ -102,7 +105,7 @@ class InputReader {
             }
             Input one = input_;
             one.values = {value};
-            if (auto words = OwnValues(one, 0, false); !words && !IsDirection()) {
+            if (auto words = OwnValues(one, 0, false); !words && !IsSource()) {
                 return reader_.Fail(entry, what_ + ": " + words.error().message);
             }
             input_.values.push_back(std::move(value));
@@ -123,7 +126,7 @@ class InputReader {
         ETALON_TRY(high, reader_.Number((*list)[1], What("range")));
         input_.range = std::pair(low, high);
         Input probe = input_;
-        if (auto words = OwnValues(probe, 0, false); !words && !IsDirection()) {
+        if (auto words = OwnValues(probe, 0, false); !words && !IsSource()) {
             return reader_.Fail(*node, what_ + ": " + words.error().message);
         }
         return Ok();
@@ -165,24 +168,27 @@ class InputReader {
         return Ok();
     }
 
-    // Exactly one of values, range, direction and expr; and nothing that it has no use for.
+    // Exactly one of values, range, a sample of its own and expr; and nothing that it has no use
+    // for.
     Status<> CheckSource() const {
         const int sources = (input_.values.empty() ? 0 : 1) + (input_.range ? 1 : 0) +
-                            (IsDirection() ? 1 : 0) + (input_.expr ? 1 : 0);
+                            (IsSource() ? 1 : 0) + (input_.expr ? 1 : 0);
         if (sources != 1) {
             return Fail(
-                "needs exactly one of values, range, sample = \"sphere\" or \"hemisphere\", and "
+                "needs exactly one of values, range, sample = \"sphere\", \"hemisphere\" or "
+                "\"any\", and "
                 "expr");
         }
         if ((input_.sample == "hemisphere") != !input_.against.empty()) {
             return Fail("'against' belongs to sample = \"hemisphere\"");
         }
-        const bool draws = input_.range || IsDirection();
+        const bool draws = input_.range || IsSource();
         if (!draws &&
             (table_.contains("count") || table_.contains("full") || table_.contains("sample"))) {
-            return Fail("'count', 'full' and 'sample' belong to a range or a direction");
+            return Fail(
+                "'count', 'full' and 'sample' belong to a range, a direction or sample = \"any\"");
         }
-        if (!input_.edges.empty() && (input_.expr || IsDirection())) {
+        if (!input_.edges.empty() && (input_.expr || IsSource())) {
             return Fail("'edges' belong to values or a range");
         }
         if (draws && input_.count == 0 && input_.edges.empty()) {

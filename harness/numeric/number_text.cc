@@ -58,18 +58,37 @@ bool IsTiny(std::string_view digits, bool hexadecimal) {
     return exponent + (hexadecimal ? 4 * order : order) < 0;
 }
 
+constexpr std::string_view kNanMark = "nan:";
+constexpr std::uint32_t kNan = 0x7fc00000;
+constexpr std::uint32_t kSign = 0x80000000;
+
+// The bits of a NaN, eight hexadecimal digits.
+Result<std::uint32_t> ParseNan(std::string_view whole) {
+    const std::string_view digits = whole.substr(kNanMark.size());
+    std::uint32_t word = 0;
+    const auto [end, code] = std::from_chars(digits.begin(), digits.end(), word, 16);
+    const bool read = code == std::errc() && end == digits.end() && digits.size() == 8;
+    if (!read || !std::isnan(FromBits(word))) {
+        return NotA(Scalar::kFloat, whole);
+    }
+    return word;
+}
+
 Result<std::uint32_t> ParseFloat(std::string_view whole) {
+    if (whole.starts_with(kNanMark)) {
+        return ParseNan(whole);
+    }
     std::string_view text = whole;
     const bool negative = text.starts_with('-');
     if (negative || text.starts_with('+')) {
         text.remove_prefix(1);
     }
-    const std::uint32_t sign = negative ? 0x80000000u : 0;
+    const std::uint32_t sign = negative ? kSign : 0;
     if (text == "inf") {
         return sign | 0x7f800000u;
     }
     if (text == "nan") {
-        return sign | 0x7fc00000u;
+        return sign | kNan;
     }
     const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
     if (hexadecimal) {
@@ -170,6 +189,19 @@ std::string WordText(Scalar scalar, std::uint32_t word) {
     std::string text;
     AppendWord(text, scalar, word);
     return text;
+}
+
+std::string ExactText(Scalar scalar, std::uint32_t word) {
+    if (scalar != Scalar::kFloat || !std::isnan(FromBits(word))) {
+        return WordText(scalar, word);
+    }
+    if ((word & ~kSign) == kNan) {
+        return word == kNan ? "nan" : "-nan";
+    }
+    char digits[8];
+    // Never fewer than eight: the least NaN is 7f800001.
+    std::to_chars(digits, digits + sizeof digits, word, 16);
+    return std::string(kNanMark) + std::string(digits, sizeof digits);
 }
 
 void AppendWord(std::string& text, Scalar scalar, std::uint32_t word) {

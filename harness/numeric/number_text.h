@@ -16,16 +16,18 @@ enum class Scalar : std::uint8_t { kFloat, kInt, kUint, kBool };
 std::string_view ScalarName(Scalar scalar);  // "float"
 std::optional<Scalar> ScalarFromName(std::string_view name);
 
-// The 32-bit word of a value written as decimal, hexadecimal float (0x1.8p-3), nan, inf, -inf
-// (float); decimal or 0x hexadecimal, in range (int, uint); true, false, 0, 1 (bool). Decimal
-// floats round to nearest even once; a magnitude beyond the largest float is refused ("does not
-// fit"), one too small becomes zero or a subnormal. Spaces around are allowed. The error is the
-// reason alone: "'abc' is not a float".
+// The 32-bit word of a value written as decimal, hexadecimal float (0x1.8p-3), nan, -nan, inf,
+// -inf or a NaN's eight hexadecimal digits (nan:7f800001) (float); decimal or 0x hexadecimal, in
+// range (int, uint); true, false, 0, 1 (bool). Decimal floats round to nearest even once; a
+// magnitude beyond the largest float is refused ("does not fit"), one too small becomes zero or a
+// subnormal. Spaces around are allowed. The error is the reason alone: "'abc' is not a float".
 Result<std::uint32_t> ParseWord(Scalar scalar, std::string_view text);
 
 // The shortest decimal that reads back to the same bits; "nan" for every NaN, "inf", "-inf", "-0";
 // "true" and "false".
 std::string WordText(Scalar scalar, std::uint32_t word);
+// As WordText, but a NaN keeps its bits: "nan", "-nan", "nan:7f800001".
+std::string ExactText(Scalar scalar, std::uint32_t word);
 // As WordText, appended: the fast door for tables.
 void AppendWord(std::string& text, Scalar scalar, std::uint32_t word);
 

@@ -20,8 +20,12 @@ Value ValueOf(Scalar scalar, std::uint32_t word) {
 std::vector<std::pair<std::string, Value>> InputsAt(const Table& table, std::uint64_t row) {
     std::vector<std::pair<std::string, Value>> inputs;
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        const Scalar scalar = table.columns[c].scalar;
+        const std::uint32_t word = table.At(row, c);
+        const bool is_nan = scalar == Scalar::kFloat && std::isnan(std::bit_cast<float>(word));
+        const std::string exact = ExactText(scalar, word);
         inputs.emplace_back(table.columns[c].name,
-                            ValueOf(table.columns[c].scalar, table.At(row, c)));
+                            is_nan ? Value{exact, exact} : ValueOf(scalar, word));
     }
     return inputs;
 }

@@ -2,14 +2,11 @@
 #ifndef ETALON_OPTICS_ATTENUATION
 #define ETALON_OPTICS_ATTENUATION
 
-#ifdef GL_ES
-precision highp float;
-precision highp int;
-#endif
+#include "limit.glsl"
 
 float optics_nonnegative(float x)
 {
-    return x > 0.0 ? min(x, 1099511627776.0) : 0.0;
+    return optics_limit(optics_number(x), 0.0, 1099511627776.0);
 }
 
 // 1 / (constant + linear d + quadratic d^2), at most 1. d is the distance, in any unit; the factors

@@ -12,7 +12,7 @@
 // Source: paper section 3.2, light blooming.
 vec3 bloom(vec3 color, vec3 blurred_high, float limit, float share)
 {
-    float part = share > 0.0 ? min(share, 1.0) : 0.0;
+    float part = optics_limit(optics_number(share), 0.0, 1.0);
     vec3 high = hdr_high(color, limit);
     // (1 - part) high is never more than high: the sum has no negative term.
     return hdr_low(color, limit) + (1.0 - part) * high + part * post_radiance(blurred_high);

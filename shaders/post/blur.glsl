@@ -1,7 +1,8 @@
 // Smaller and softer pictures that keep their light.
 //
 // The picture is reached through `vec3 picture(vec2 uv)`; `texel` is the size of its texels in
-// texture coordinates. Its values count as radiance, see hdr.glsl.
+// texture coordinates, which the picture is given as they come. Its values count as radiance, see
+// hdr.glsl: whatever they are, none of the results is NaN or infinite.
 #ifndef ETALON_POST_BLUR
 #define ETALON_POST_BLUR
 
@@ -35,11 +36,11 @@ vec3 downsample_linear(vec2 uv, vec2 texel)
 }
 
 // exp(-x^2 / (2 sigma^2)), x and sigma in the same unit; sigma counts as at least 2^-20 and at most
-// 2^20. Error: 1e-6 absolute.
+// 2^20. A weight of NaN is 0, NaN counts as the least sigma. Error: 1e-6 absolute.
 float gaussian_weight(float x, float sigma)
 {
-    float s = sigma >= 9.5367431640625e-7 ? min(sigma, 1048576.0) : 9.5367431640625e-7;
-    float ratio = x / s;
+    float s = optics_limit(optics_number(sigma), 9.5367431640625e-7, 1048576.0);
+    float ratio = optics_limit(x, 1e18) / s;
     // Beyond 16 sigma the weight is zero in any float.
     return abs(ratio) < 16.0 ? exp2(-0.72134752044448170 * ratio * ratio) : 0.0;
 }

@@ -5,19 +5,16 @@
 #ifndef ETALON_POST_HDR
 #define ETALON_POST_HDR
 
-#ifdef GL_ES
-precision highp float;
-precision highp int;
-#endif
+#include "../optics/limit.glsl"
 
 float post_radiance(float x)
 {
-    return x > 0.0 ? min(x, 65504.0) : 0.0;
+    return optics_limit(optics_number(x), 0.0, 65504.0);
 }
 
 vec3 post_radiance(vec3 color)
 {
-    return vec3(post_radiance(color.x), post_radiance(color.y), post_radiance(color.z));
+    return optics_limit(optics_number(color), 0.0, 65504.0);
 }
 
 // What a display of that limit shows: each channel up to `limit`.

@@ -10,13 +10,13 @@
 #include "refine.glsl"
 
 // The share of a search's steps that the scene wants at uv, 0 .. 1: from a texture, beside the
-// heights. NaN counts as 1.
+// heights. NaN counts as 1, one with a sign as 0.
 float step_density(vec2 uv);
 
-// The next whole number as a count of steps.
+// The next whole number as a count of steps. A NaN is the most, one with a sign the fewest.
 int relief_ceil_steps(float steps)
 {
-    return steps < float(RELIEF_MAX_STEPS) ? int(ceil(max(steps, 1.0))) : RELIEF_MAX_STEPS;
+    return int(ceil(optics_limit(steps, 1.0, float(RELIEF_MAX_STEPS))));
 }
 
 // From `least` for a ray along the normal to `most` for one along the surface, linear in the
@@ -39,13 +39,14 @@ int steps_for_texels(ReliefRay ray, vec2 map_size, float per_texel)
 
 // The part of `steps` that a map no steeper than `slope` (height by length, both in box heights)
 // needs. A ray steeper than the map crosses it once, and one step cannot lose a crossing; the
-// share grows from there to all steps for a wall or a ray along the surface.
+// share grows from there to all steps for a wall or a ray along the surface. A negative slope
+// counts as 0, and NaN as a wall (as 0 with a sign).
 int steps_for_slope(ReliefRay ray, float texture_per_height, float slope, int steps)
 {
     float along = length(ray.velocity.xy) / relief_texture_per_height(texture_per_height);
-    float share = 1.0 - abs(ray.velocity.z) / (along * slope);
-    return share > 0.0 || share <= 0.0 ? relief_ceil_steps(float(relief_steps(steps)) * share)
-                                       : relief_steps(steps);
+    float approach = along * optics_limit(slope, 0.0, 1e18);
+    float share = 1.0 - abs(ray.velocity.z) / max(approach, 1e-30);
+    return relief_ceil_steps(float(relief_steps(steps)) * share);
 }
 
 // The part of `steps` that is left where a pixel covers so many texels of the map: what is smaller
@@ -53,7 +54,7 @@ int steps_for_slope(ReliefRay ray, float texture_per_height, float slope, int st
 int steps_for_distance(float texels_per_pixel, int steps)
 {
     float count = float(relief_steps(steps));
-    return relief_ceil_steps(texels_per_pixel > 1.0 ? count / texels_per_pixel : count);
+    return relief_ceil_steps(count / optics_limit(optics_number(texels_per_pixel), 1.0, 1e18));
 }
 
 // search_bracket with steps that are longer where step_density is below 1: its share of `steps` for
@@ -67,8 +68,8 @@ ReliefBracket search_bracket_by_density(ReliefRay ray, int layers, int steps)
         return bracket;
     }
     for (int i = 1; i <= count; ++i) {
-        float share = step_density(relief_position(ray, bracket.t_above).xy) * float(count);
-        float divisor = share < float(count) ? max(share, 1.0) : float(count);
+        float density = step_density(relief_position(ray, bracket.t_above).xy);
+        float divisor = max(optics_limit(density, 0.0, 1.0) * float(count), 1.0);
         float t = i < count ? min(bracket.t_above + ray.end / divisor, ray.end) : ray.end;
         gaps = relief_gaps(ray, t, layers);
         bracket.t_below = t;

@@ -84,6 +84,7 @@ ReliefHit offset_mapping_sloped(ReliefRay ray, float texture_per_height, int ite
         gaps = relief_gaps(ray, t, RELIEF_BOTH);
         bool translucent = gaps.x > gaps.y;
         vec3 normal = translucent ? translucent_normal(uv) : solid_normal(uv);
+        normal = optics_limit(optics_number(normal), 1e9);
         float gap = translucent ? gaps.x : gaps.y;
         float fall = -dot(normal, direction);
         float step_back = gap * normal.z / fall;

@@ -12,10 +12,7 @@
 #ifndef ETALON_RELIEF_RAY
 #define ETALON_RELIEF_RAY
 
-#ifdef GL_ES
-precision highp float;
-precision highp int;
-#endif
+#include "../optics/limit.glsl"
 
 float solid_height(vec2 uv);
 float translucent_height(vec2 uv);
@@ -47,19 +44,18 @@ struct ReliefHit {
 // x where it is a number within +-limit, else the nearer bound; 0 for NaN.
 float relief_finite(float x, float limit)
 {
-    // Compared with its magnitude: SwiftShader takes x >= -limit for false where both are constants
-    // and `precise`.
-    return abs(x) <= limit ? x : (x > 0.0 ? limit : (x < 0.0 ? -limit : 0.0));
+    return optics_limit(optics_number(x), limit);
 }
 
 float relief_height(float height)
 {
-    return abs(height) <= 0.5 ? height : (height > 0.5 ? 0.5 : -0.5);
+    bool none = (floatBitsToInt(height) & 0x7fffffff) > 0x7f800000;
+    return none ? -0.5 : optics_limit(height, 0.5);
 }
 
 float relief_texture_per_height(float texture_per_height)
 {
-    return texture_per_height >= 1e-6 ? min(texture_per_height, 1024.0) : 1e-6;
+    return optics_limit(optics_number(texture_per_height), 1e-6, 1024.0);
 }
 
 vec3 relief_position(ReliefRay ray, float t)

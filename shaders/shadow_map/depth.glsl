@@ -10,9 +10,9 @@
 // Error: 1e-7 absolute for planes of 1e-3 to 1e3.
 float light_depth(float z_light, float near_plane, float far_plane)
 {
-    float from = light_limit(near_plane, -1e18, 1e18);
-    float range = light_limit(far_plane, -1e18, 1e18) - from;
-    float way = light_limit(-z_light, -1e18, 1e18) - from;
+    float from = optics_limit(optics_number(near_plane), 1e18);
+    float range = optics_limit(optics_number(far_plane), 1e18) - from;
+    float way = optics_limit(optics_number(-z_light), 1e18) - from;
     return light_limit(way / max(range, 9.094947e-13), 0.0, 1.0);
 }
 
@@ -20,8 +20,8 @@ float light_depth(float z_light, float near_plane, float far_plane)
 // the far plane.
 float light_depth_way(float depth, float near_plane, float far_plane)
 {
-    float from = light_limit(near_plane, -1e18, 1e18);
-    float range = max(light_limit(far_plane, -1e18, 1e18) - from, 9.094947e-13);
+    float from = optics_limit(optics_number(near_plane), 1e18);
+    float range = max(optics_limit(optics_number(far_plane), 1e18) - from, 9.094947e-13);
     return from + light_limit(depth, 0.0, 1.0) * range;
 }
 

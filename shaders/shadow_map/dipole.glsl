@@ -4,7 +4,7 @@
 // Coefficients are per unit of length, one for each channel: sigma_a absorbs, sigma_s scatters
 // (reduced, as of an isotropic medium). Lengths are in the same unit. sigma_a is limited to
 // 0..2^20, sigma_s to 2^-20..2^20, the index to 1..3, lengths to 2^20; NaN counts as the lower
-// bound.
+// bound. A Dipole comes from dipole_medium; then no number yields NaN or infinity.
 #ifndef ETALON_SHADOW_MAP_DIPOLE
 #define ETALON_SHADOW_MAP_DIPOLE
 

@@ -12,9 +12,9 @@
 // Source: blog part one, listings 2 and 3, where it is the plain matrix.
 vec3 light_normal(mat4 to_light, vec3 normal)
 {
-    vec3 a = light_limit(to_light[0].xyz, -1e9, 1e9);
-    vec3 b = light_limit(to_light[1].xyz, -1e9, 1e9);
-    vec3 c = light_limit(to_light[2].xyz, -1e9, 1e9);
+    vec3 a = light_finite(to_light[0]).xyz;
+    vec3 b = light_finite(to_light[1]).xyz;
+    vec3 c = light_finite(to_light[2]).xyz;
     vec3 bc = cross(b, c);
     vec3 n = light_unit(normal, vec3(0.0));
     vec3 turned = n.x * bc + n.y * cross(c, a) + n.z * cross(a, b);

@@ -6,28 +6,12 @@
 #ifndef ETALON_TRANSLUCENT_ENVIRONMENT
 #define ETALON_TRANSLUCENT_ENVIRONMENT
 
-#ifdef GL_ES
-precision highp float;
-precision highp int;
-#endif
+#include "../layered/unit.glsl"
 
-float environment_finite(float x, float limit)
-{
-    return x >= -limit ? min(x, limit) : (x < 0.0 ? -limit : 0.0);
-}
-
-vec3 environment_finite(vec3 v, float limit)
-{
-    return vec3(environment_finite(v.x, limit), environment_finite(v.y, limit),
-                environment_finite(v.z, limit));
-}
-
-// The unit vector along v, of any length; (0, 0, 1) for a zero vector or NaN.
+// The unit vector along v, of any length; a NaN counts as 0, a zero vector as (0, 0, 1).
 vec3 environment_unit(vec3 v)
 {
-    vec3 w = environment_finite(v, 1e18);
-    float longest = max(abs(w.x), max(abs(w.y), abs(w.z)));
-    return longest >= 1e-18 ? normalize(w / longest) : vec3(0.0, 0.0, 1.0);
+    return layered_unit(optics_number(v), vec3(0.0, 0.0, 1.0));
 }
 
 // The way along unit direction d from p, inside, to the wall at half_size or -half_size.
@@ -46,10 +30,8 @@ float environment_wall(float p, float d, float half_size)
 // Source: exact for what thesis 3.3.1 describes as the flaw of cube maps.
 vec3 environment_direction_in_box(vec3 position, vec3 direction, vec3 half_size)
 {
-    vec3 size = vec3(half_size.x >= 1e-3 ? min(half_size.x, 1e4) : 1e-3,
-                     half_size.y >= 1e-3 ? min(half_size.y, 1e4) : 1e-3,
-                     half_size.z >= 1e-3 ? min(half_size.z, 1e4) : 1e-3);
-    vec3 p = clamp(environment_finite(position, 1e4), -size, size);
+    vec3 size = optics_limit(optics_number(half_size), 1e-3, 1e4);
+    vec3 p = clamp(optics_limit(optics_number(position), 1e4), -size, size);
     vec3 d = environment_unit(direction);
     float way = min(environment_wall(p.x, d.x, size.x),
                     min(environment_wall(p.y, d.y, size.y), environment_wall(p.z, d.z, size.z)));
@@ -61,8 +43,8 @@ vec3 environment_direction_in_box(vec3 position, vec3 direction, vec3 half_size)
 // a position's square has lost the distance to it in its rounding, and the error is up to 5e-4.
 vec3 environment_direction_in_sphere(vec3 position, vec3 direction, float radius)
 {
-    float r = radius >= 1e-3 ? min(radius, 1e4) : 1e-3;
-    vec3 p = environment_finite(position, 1e4) / r;
+    float r = optics_limit(optics_number(radius), 1e-3, 1e4);
+    vec3 p = optics_limit(optics_number(position), 1e4) / r;
     float p_p = dot(p, p);
     if (p_p > 1.0) {
         p *= inversesqrt(p_p);

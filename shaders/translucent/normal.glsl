@@ -2,10 +2,7 @@
 #ifndef ETALON_TRANSLUCENT_NORMAL
 #define ETALON_TRANSLUCENT_NORMAL
 
-#ifdef GL_ES
-precision highp float;
-precision highp int;
-#endif
+#include "../optics/limit.glsl"
 
 // The unit normal of a texel whose channels 0..1 stand for -1..1; y is turned round where the map's
 // green channel points down (flip_y). The neutral texel of an eight-bit map, 128 of 255, is taken
@@ -15,10 +12,7 @@ precision highp int;
 // Source: thesis appendix A.2, the decoding before each use of a normal.
 vec3 decode_normal(vec3 texel, bool flip_y)
 {
-    vec3 t = vec3(texel.x >= 0.0 ? min(texel.x, 1.0) : 0.0,
-                  texel.y >= 0.0 ? min(texel.y, 1.0) : 0.0,
-                  texel.z >= 0.0 ? min(texel.z, 1.0) : 0.0);
-    vec3 d = t - 0.5;
+    vec3 d = optics_limit(optics_number(texel), 0.0, 1.0) - 0.5;
     // Half a step of eight bits, and a little for the texture unit's own rounding.
     const float level = 0.00197;
     d = vec3(abs(d.x) < level ? 0.0 : d.x, abs(d.y) < level ? 0.0 : d.y,

@@ -2,11 +2,12 @@
 //
 // Level 0 is the map itself; level k has been blurred by a Gaussian of standard deviation
 // sigma_1 2^(k-1), in texture coordinates, and may be kept at size 2^(n-k) for a map of size 2^n,
-// down to one texel at level n. `vec3 blurred(vec2 uv, int level)` gives their colours.
+// down to one texel at level n. `vec3 blurred(vec2 uv, int level)` gives their colours, which
+// count as 0..65504; what is no number counts as 0.
 #ifndef ETALON_TRANSLUCENT_SCATTERING
 #define ETALON_TRANSLUCENT_SCATTERING
 
-#include "../post/hdr.glsl"
+#include "../optics/limit.glsl"
 
 vec3 blurred(vec2 uv, int level);
 
@@ -25,9 +26,10 @@ struct ScatteringLevel {
 ScatteringLevel scattering_level(float sigma, float sigma_1, int last_level)
 {
     int last = clamp(last_level, 0, SCATTERING_MAX_LEVEL);
-    float unit = sigma_1 >= 9.094947017729282e-13 ? min(sigma_1, 1099511627776.0)
-                                                  : 9.094947017729282e-13;
-    float ratio = sigma > 0.0 ? min(sigma / unit, 131072.0) : 0.0;
+    float unit = optics_limit(optics_number(sigma_1), 9.094947017729282e-13, 1099511627776.0);
+    // 2^57: no unit leaves more than the limit of that.
+    float wide = optics_limit(optics_number(sigma), 0.0, 144115188075855872.0);
+    float ratio = min(wide / unit, 131072.0);
     float variance = ratio * ratio;
     float lower = 0.0;
     float upper = 1.0;
@@ -45,16 +47,21 @@ ScatteringLevel scattering_level(float sigma, float sigma_1, int last_level)
 // `spread` (radians, small) over each unit of way: d * spread, both at least 0 and at most 2^20.
 float scattering_sigma(float d, float spread)
 {
-    return (d > 0.0 ? min(d, 1048576.0) : 0.0) * (spread > 0.0 ? min(spread, 1048576.0) : 0.0);
+    return optics_limit(optics_number(d), 0.0, 1048576.0) *
+           optics_limit(optics_number(spread), 0.0, 1048576.0);
 }
 
-// The colour at uv blurred by sigma; what the maps give counts as radiance, see hdr.glsl, so that
-// the result is a number.
+vec3 scattering_color(vec2 uv, int level)
+{
+    return optics_limit(optics_number(blurred(uv, level)), 0.0, 65504.0);
+}
+
+// The colour at uv blurred by sigma.
 vec3 scattered(vec2 uv, float sigma, float sigma_1, int last_level)
 {
     ScatteringLevel at = scattering_level(sigma, sigma_1, last_level);
-    vec3 sharp = post_radiance(blurred(uv, at.level));
-    return at.blend > 0.0 ? mix(sharp, post_radiance(blurred(uv, at.level + 1)), at.blend) : sharp;
+    vec3 sharp = scattering_color(uv, at.level);
+    return at.blend > 0.0 ? mix(sharp, scattering_color(uv, at.level + 1), at.blend) : sharp;
 }
 
 #endif

@@ -3,10 +3,11 @@
 //
 // Space is the eye's: the eye at 0 looks along -z; a point is on the screen at
 // 0.5 + 0.5 * focal * xy / -z, where `focal` (x and y) is the cotangent of half the field of view.
+// NaN counts as 0; positions are limited to +-1e6, focal to +-1e3, components of rays to +-1.
 #ifndef ETALON_TRANSLUCENT_SCREEN_MAP
 #define ETALON_TRANSLUCENT_SCREEN_MAP
 
-#include "environment.glsl"
+#include "../optics/limit.glsl"
 
 struct ScreenSample {
     vec2 uv;     // in the map, always within 0..1
@@ -17,8 +18,8 @@ struct ScreenSample {
 // the offset from the screen's middle.
 ScreenSample screen_position(vec3 point, vec2 focal)
 {
-    vec3 p = environment_finite(point, 1e6);
-    vec2 f = vec2(environment_finite(focal.x, 1e3), environment_finite(focal.y, 1e3));
+    vec3 p = optics_limit(optics_number(point), 1e6);
+    vec2 f = optics_limit(optics_number(focal), 1e3);
     if (!(p.z <= -1e-6)) {
         return ScreenSample(vec2(0.5), false);
     }
@@ -33,9 +34,9 @@ ScreenSample screen_position(vec3 point, vec2 focal)
 // Source: thesis 3.3.2, with the depth that it names as missing.
 ScreenSample screen_map_sample(vec3 surface, vec3 ray, float way, vec2 focal)
 {
-    float reach = way > 0.0 ? min(way, 1e6) : 0.0;
-    return screen_position(environment_finite(surface, 1e6) + reach * environment_finite(ray, 1.0),
-                           focal);
+    float reach = optics_limit(optics_number(way), 0.0, 1e6);
+    vec3 from = optics_limit(optics_number(surface), 1e6);
+    return screen_position(from + reach * optics_limit(optics_number(ray), 1.0), focal);
 }
 
 #endif

@@ -201,8 +201,8 @@ TEST_F(CaseTest, RefusesWrongInputs) {
     EXPECT_EQ(input("{ type = \"int\", values = [1.5] }"), at + ": 1.5 is not an int");
     EXPECT_EQ(input("{ type = \"double\", values = [1] }"),
               at + ": 'double' is not a scalar, vector or matrix type");
-    EXPECT_EQ(input("{ }"), at + ": needs exactly one of values, range, sample = \"sphere\" or "
-                                 "\"hemisphere\", and expr");
+    EXPECT_EQ(input("{ }"), at + ": needs exactly one of values, range, sample = \"sphere\", "
+                                 "\"hemisphere\" or \"any\", and expr");
     EXPECT_THAT(input("{ values = [1], expr = \"1\" }"), HasSubstr("exactly one of"));
     EXPECT_THAT(input("{ values = [1], count = 3 }"),
                 HasSubstr("'count', 'full' and 'sample' belong to"));
@@ -211,9 +211,15 @@ TEST_F(CaseTest, RefusesWrongInputs) {
     EXPECT_THAT(input("{ values = [1], full = 3 }"), HasSubstr("'count', 'full' and 'sample'"));
     EXPECT_THAT(input("{ expr = \"1\", edges = [1] }"), HasSubstr("'edges' belong to"));
     EXPECT_EQ(input("{ range = [0, 1], count = 1, sample = \"cubic\" }"),
-              at + ": 'sample' must be bits, linear, log, sphere or hemisphere");
+              at + ": 'sample' must be bits, linear, log, sphere, hemisphere or any");
     EXPECT_THAT(input("{ range = [0, 1], count = 1, sample = \"log\" }"),
                 HasSubstr("must not hold zero"));
+    EXPECT_EQ(input("{ sample = \"any\", type = \"mat2\", count = 1, full = 2 }"), "");
+    EXPECT_EQ(input("{ sample = \"any\" }"), at + ": 'count' is missing");
+    EXPECT_THAT(input("{ sample = \"any\", count = 1, range = [0, 1] }"),
+                HasSubstr("exactly one of"));
+    EXPECT_THAT(input("{ sample = \"any\", count = 1, edges = [1] }"),
+                HasSubstr("'edges' belong to"));
     EXPECT_EQ(input("{ valeus = [1] }"),
               "cases/x.toml:8: unknown key 'valeus'; did you mean 'values'?");
     EXPECT_EQ(input("3"), "cases/x.toml:8: input 'x' must be a table, such as { values = [1] }");

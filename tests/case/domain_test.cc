@@ -267,6 +267,28 @@ TEST(Expand, DrawsMatricesByComponent) {
     }
 }
 
+TEST(Expand, TakesAnyBits) {
+    Input any;
+    any.name = "v";
+    any.type = "vec3";
+    any.sample = "any";
+    any.count = 6;
+    const Table product = Expanded({Of({any, Values("b", {1, 2})})});
+    EXPECT_EQ(product.rows, 2u * (14 + 6));
+    EXPECT_EQ(product.At(2 * 12, 0), 0x7f800001u) << "a signalling NaN keeps its bits";
+    any.count = 50;
+    Input other = any;
+    other.name = "w";
+    const Table zipped = Expanded({Of({any, other}, true)});
+    EXPECT_EQ(zipped.rows, 50u);
+    EXPECT_NE(zipped.words, Expanded({Of({any, other}, true)}, 2).words);
+    int same = 0;
+    for (std::uint64_t row = 0; row < zipped.rows; ++row) {
+        same += zipped.At(row, 0) == zipped.At(row, 3) ? 1 : 0;
+    }
+    EXPECT_LT(same, 10);
+}
+
 TEST(Expand, JoinsDomains) {
     const Table table = Expanded(
         {Of({Values("a", {1, 2}), Values("b", {3})}), Of({Values("b", {4}), Values("a", {5})})});

@@ -32,8 +32,11 @@ TEST(NumberText, ReadsFloats) {
 }
 
 TEST(NumberText, RefusesWhatIsNoFloat) {
-    for (const char* text : {"", " ", "abc", "1.0f", "1,5", "0x", "--1", "+-1", "1 2", "infinity",
-                             "nan(1)", "1e", "NaN", "-", ".", "e5", "0x0x1", "0x-1"}) {
+    for (
+        const char* text :
+        {"",    " ",        "abc",    "1.0f", "1,5",          "0x",          "--1",           "+-1",
+         "1 2", "infinity", "nan(1)", "nan:", "nan:7f800000", "nan:7f80001", "-nan:7f800001", "1e",
+         "NaN", "-",        ".",      "e5",   "0x0x1",        "0x-1"}) {
         EXPECT_NE(Parsed(Scalar::kFloat, text).find("is not a float"), std::string::npos) << text;
     }
     EXPECT_EQ(Parsed(Scalar::kFloat, "abc"), "'abc' is not a float");
@@ -90,6 +93,17 @@ TEST(NumberText, EveryFloatReadsBackToItsBits) {
         ASSERT_EQ(*ParseWord(Scalar::kFloat, WordText(Scalar::kFloat, word)), word);
         ASSERT_EQ(*ParseWord(Scalar::kFloat, HexFloat(value)), word) << HexFloat(value);
         ASSERT_EQ(ToBits(std::strtof(HexFloat(value).c_str(), nullptr)), word);
+    }
+}
+
+TEST(NumberText, KeepsTheBitsOfANan) {
+    EXPECT_EQ(ExactText(Scalar::kFloat, 0x7fc00000), "nan");
+    EXPECT_EQ(ExactText(Scalar::kFloat, 0xffc00000), "-nan");
+    EXPECT_EQ(ExactText(Scalar::kFloat, 0x7f800001), "nan:7f800001");
+    EXPECT_EQ(ExactText(Scalar::kFloat, ToBits(-1.5f)), "-1.5");
+    EXPECT_EQ(ExactText(Scalar::kUint, 0x7f800001), "2139095041");
+    for (const std::uint32_t word : {0x7fc00000u, 0xffc00000u, 0x7f800001u, 0xffffffffu}) {
+        EXPECT_EQ(*ParseWord(Scalar::kFloat, ExactText(Scalar::kFloat, word)), word);
     }
 }
 
