@@ -1,7 +1,7 @@
 // Translucent shadow maps: the dipole, and the light that a whole map sends to one point.
 //
 // A medium has absorption sigma_a, reduced scattering sigma_s (per unit of length) and an index.
-// Domain of the bounds: sigma_a in [0, 16], sigma_s in [2^-6, 16], index in [1, 2], lengths up to
+// Domain of the bounds: sigma_a in [0, 16], sigma_s in [2^-6, 16], index in [1, 3], lengths up to
 // 64, at most 64 effective mean free paths.
 //
 //   shadow_map.reflectance(sigma_a, sigma_s, index, r)  R_d at the distance r

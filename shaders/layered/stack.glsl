@@ -18,9 +18,9 @@ const float LAYERED_LONGEST_SLANT = 16.0;
 
 // The light of a stack towards the eye: from the top down, what a layer does not cover passes to
 // the next. The direction of sight is bent at the surface, by its normal, and at each layer, which
-// are flat; what the change of index mirrors there is lost. A layer is blurred by a disc of `spread`
-// texels of radius for each texel of the way to it, or rather by the mip level whose box and
-// bilinear filters have that disc's second moment: one sample a layer. v and n as in
+// are flat; what the change of index mirrors there is lost. A layer is blurred by a disc of
+// `spread` texels of radius for each texel of the way to it, or rather by the mip level whose box
+// and bilinear filters have that disc's second moment: one sample a layer. v and n as in
 // transmission.glsl, n1 the index outside, texel_size (1 / width, 1 / height). Black at total
 // internal reflection, and no brighter than the brightest layer. No input yields NaN or infinity.
 // Error: 5e-7 of the brightest layer, and of a layer's coordinate 2e-5 of the way in texels.

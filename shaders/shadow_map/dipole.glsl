@@ -50,8 +50,9 @@ vec3 dipole_pole(vec3 z, vec3 extinction, float square)
 }
 
 // R_d: the share of the light entering at a point that leaves per unit of area at the distance r,
-// 1 / length^2. The distance is a straight line; the same both ways. Error: 8e-7 (1 + x) relative,
-// x the extinction times the way from the pole. Falls to 0 where it underflows.
+// 1 / length^2. The distance is a straight line; the same both ways. Error: 1.2e-6 (1 + x)
+// relative, the medium's own included, x the extinction times the way from the real source. Falls
+// to 0 where it underflows.
 vec3 dipole_reflectance(Dipole medium, float r)
 {
     r = light_limit(abs(r), 0.0, 1048576.0);

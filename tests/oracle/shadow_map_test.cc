@@ -54,7 +54,7 @@ struct Medium {
 
 Row RandomMedium(Random& random) {
     const double absorbed = random.Below(8) == 0 ? 0 : random.Power(-8, 4);
-    return {absorbed, random.Power(-6, 4), random.Float(1, 2)};
+    return {absorbed, random.Power(-6, 4), random.Float(1, 3)};
 }
 
 // A way of at most 60 effective mean free paths, and not too far for the domain.
