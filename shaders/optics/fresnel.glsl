@@ -47,17 +47,23 @@ vec4 optics_fresnel_shares(float n1, float n2, float c, float g)
     return vec4(s_reflected, p_reflected, s_transmitted, p_transmitted);
 }
 
+// For n1 <= n2; all clamped.
+vec4 optics_fresnel_into_denser(float n1, float n2, float c)
+{
+    if (n1 == n2) {
+        return vec4(0.0, 0.0, 1.0, 1.0);
+    }
+    float excess = (n2 - n1) / n1;
+    return optics_fresnel_shares(n1, n2, c, sqrt(excess * (2.0 + excess) + c * c));
+}
+
 vec4 optics_fresnel(float n1, float n2, float cos_i)
 {
     n1 = optics_clamp_index(n1);
     n2 = optics_clamp_index(n2);
     cos_i = optics_limit(cos_i, 0.0, 1.0);
-    if (n1 == n2) {
-        return vec4(0.0, 0.0, 1.0, 1.0);
-    }
-    if (n1 < n2) {
-        float excess = (n2 - n1) / n1;
-        return optics_fresnel_shares(n1, n2, cos_i, sqrt(excess * (2.0 + excess) + cos_i * cos_i));
+    if (n1 <= n2) {
+        return optics_fresnel_into_denser(n1, n2, cos_i);
     }
     float square = optics_transmitted_square(n1, n2, cos_i);
     if (square < 0.0) {
@@ -70,10 +76,10 @@ vec4 optics_fresnel(float n1, float n2, float cos_i, vec2 critical)
 {
     n1 = optics_clamp_index(n1);
     n2 = optics_clamp_index(n2);
-    if (n1 <= n2) {
-        return optics_fresnel(n1, n2, cos_i);
-    }
     cos_i = optics_limit(cos_i, 0.0, 1.0);
+    if (n1 <= n2) {
+        return optics_fresnel_into_denser(n1, n2, cos_i);
+    }
     critical = optics_limit(critical, 1.0);
     float above = (cos_i - critical.x) - critical.y;
     if (above <= 0.0) {

@@ -111,8 +111,8 @@ float soft_amount(float ratio, float l, float r)
 }
 
 // The light that reaches the point from a light without size: 0 where the surface rises above the
-// light's ray at one of `steps` samples, evenly from the point to the box's top or the light, else
-// 1. What is thinner than a step may be missed, and the edge of a shadow is off by as much: of 20000
+// light's ray at a sample of those from the point to the box's top or the light, else 1. `steps` are
+// for all of the box, as a search's: a point halfway up takes half of them. What is thinner than a step may be missed, and the edge of a shadow is off by as much: of 20000
 // points before walls 8, 16, 32 and 64 steps are wrong for 2.7, 1.3, 0.7 and 0.3 %, of those beside
 // a sphere for 1.4, 0.4, 0.1 and 0.02 %.
 float hard_shadow(vec3 point, ReliefLight light, float texture_per_height, int steps)
@@ -123,11 +123,15 @@ float hard_shadow(vec3 point, ReliefLight light, float texture_per_height, int s
     if (ray.velocity.z * way_to_light + (ray.start.z + 0.5) < 0.0) {
         return 0.0;
     }
-    int count = relief_steps(steps);
-    float way = min(ray.end, way_to_light) / float(count);
+    float end = min(ray.end, way_to_light);
+    float share = end * max(ray.velocity.z, 1.0 / RELIEF_MAX_WAY);
+    int count = relief_steps(int(ceil(float(relief_steps(steps)) * share)));
+    float way = end / float(count);
     float lit = 1.0;
-    for (int i = 1; i <= count; ++i) {
-        if (relief_gaps(ray, float(i) * way, RELIEF_SOLID).y > 0.0) {
+    for (int i = 1; i < count; ++i) {
+        vec3 position = relief_position(ray, float(i) * way);
+        // Below the box's top a height beyond it, and a NaN, are told as they would be in the box.
+        if (solid_height(position.xy) > position.z) {
             lit = 0.0;
             break;
         }
