@@ -5,6 +5,11 @@
 // and D = (n2 / n1)^2 - 1. The amplitude (x - g) / (x + g) is -D / (x + g)^2, and the one of the
 // other polarisation is that times cos(i + t) / cos(i - t). Of each polarisation's two shares the
 // smaller is computed so, and the larger is what it leaves of one.
+//
+// On llvmpipe, which executes both sides of every branch, this costs 9 to 12 times the published
+// form, most of it optics_exact_square, for the light about the critical angle. With `critical` it
+// costs 3 times as much as that form, at the same accuracy: the shares, each without cancellation,
+// and the limits.
 #ifndef ETALON_OPTICS_FRESNEL
 #define ETALON_OPTICS_FRESNEL
 
