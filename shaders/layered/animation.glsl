@@ -6,7 +6,8 @@
 
 // 2 (1 + sin(time)), from 0 to 4 texels and never outside, for any input; time in radians, limited
 // to +-1e9. Error: 4e-7 |time|, the rounding of time itself, beside
-// twice that of the device's sine, which may be 2^-11 on Vulkan.
+// twice that of the device's sine, which may be 2^-11 on Vulkan. Costs 1.7 to 3 times the published
+// form: the sine's range is made its own.
 // Source: Oat, comment in the second listing, whose sine leaves the range that it states.
 float layer_depth(float time)
 {

@@ -184,7 +184,9 @@ vec2 critical_cosine_split(float n1, float n2)
 
 // The cosine of the angle between the refracted ray and the normal,
 // sqrt(1 - (n1 / n2)^2 (1 - cos_i^2)); 0 at total internal reflection; cos_i for equal indices.
-// Error: 4 ulp, on both sides of the critical angle to the last float.
+// Error: 4 ulp, on both sides of the critical angle to the last float. Costs 20 to 30 times the
+// published form on llvmpipe, which executes both sides of every branch: nearly all of that is
+// the exact difference, which only light about the critical angle needs.
 // Source: thesis eqs. (6), (19).
 float cos_transmitted(float n1, float n2, float cos_i)
 {
@@ -198,7 +200,8 @@ float cos_transmitted(float n1, float n2, float cos_i)
 }
 
 // The mirrored direction v - 2 dot(v, n) n. The side that n is on does not matter; v may have any
-// length and keeps it. Error: 4e-7 of the length of v in each component.
+// length and keeps it. Error: 4e-7 of the length of v in each component. Costs twice the published
+// form: the limits.
 // Source: thesis eqs. (14), (16), with the sign that keeps the length.
 vec3 reflect_ray(vec3 v, vec3 n)
 {

@@ -30,7 +30,9 @@ int steps_for_angle(ReliefRay ray, int least, int most)
 
 // So many steps that per_texel of them fall on each texel that the ray passes, of a map of so many
 // texels per texture coordinate. Where that is more than RELIEF_MAX_STEPS a step is longer: with
-// 51.2 texels to the box height and 2 per texel from 84 degrees on.
+// 51.2 texels to the box height and 2 per texel from 84 degrees on. Two per texel, 12.8 texels to
+// the box height, cost 1.9 times the published 24 steps and 6 bisections at 0 to 45 degrees, and 4
+// to 5 times at 45 to 85.
 int steps_for_texels(ReliefRay ray, vec2 map_size, float per_texel)
 {
     vec2 texels = ray.end * ray.velocity.xy * map_size;

@@ -91,7 +91,8 @@ ReliefRay relief_ray(vec3 start, vec3 direction, float texture_per_height)
 
 // The eye's ray through the polygon's point uv, which lies in the middle of the box, from the box's
 // top down. to_eye points from the surface to the eye; one from below the horizon, or along it, is
-// raised to a slope of 1/64.
+// raised to a slope of 1/64. Costs some 60 operations where the published start and step are 14:
+// the limits, and a direction of unit length; nothing beside a search.
 ReliefRay relief_view_ray(vec2 uv, vec3 to_eye, float texture_per_height)
 {
     float x = relief_finite(to_eye.x, 1e18);

@@ -29,8 +29,9 @@ float relief_crossing(float gap1, float gap2)
 // The point of the line from range1 to range2 at which a height that runs straight between its ends
 // is met: heights.x at range1, below it, and heights.y at range2, not below it. Where there is no
 // such point (both ends on the surface, for one) it is the middle; never a point outside the range.
-// Components are limited to +-1e18, a NaN counts as 0: that is most of the arithmetic, and no
-// sample. Error 2e-7 for ranges of one box. Source: thesis 2.2.3.
+// Components are limited to +-1e18, a NaN counts as 0: that is most of the arithmetic, which is 2.5
+// times the published form's, and no sample. Error 2e-7 for ranges of one box. Source: thesis
+// 2.2.3.
 vec3 linearly_approximate(vec3 range1, vec3 range2, vec2 heights)
 {
     vec3 p1 = vec3(relief_finite(range1.x, 1e18), relief_finite(range1.y, 1e18),
@@ -188,7 +189,8 @@ ReliefHit refine_itp(ReliefRay ray, ReliefHit hit, int iterations)
 
 // The translucent layer's crossing between range1, above it, and range2, not above it: so many
 // bisections, then linearly_approximate. Texture coordinates are limited to +-65536, z to the box;
-// iterations to 0 .. 32. iterations + 2 samples at most.
+// iterations to 0 .. 32. iterations + 2 samples at most. Costs 1.45 times the published form: the
+// limits, and both ends' samples, which that form may leave out.
 vec3 refine_tlayer_int(vec3 range1, vec3 range2, int iterations)
 {
     vec3 p1 = vec3(relief_finite(range1.x, 65536.0), relief_finite(range1.y, 65536.0),

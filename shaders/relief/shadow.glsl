@@ -111,10 +111,12 @@ float soft_amount(float ratio, float l, float r)
 }
 
 // The light that reaches the point from a light without size: 0 where the surface rises above the
-// light's ray at one of `steps` samples, evenly from the point to the box's top or the light, else
-// 1. What is thinner than a step may be missed, and the edge of a shadow is off by as much: of
-// 20000 points before walls 8, 16, 32 and 64 steps are wrong for 2.7, 1.3, 0.7 and 0.3 %, of those
-// beside a sphere for 1.4, 0.4, 0.1 and 0.02 %.
+// light's ray at a sample of those from the point to the box's top or the light, else 1. `steps`
+// are for all of the box, as a search's: a point halfway up takes half of them. What is thinner
+// than a step may be missed, and the edge of a shadow is off by as much: of 20000 points before
+// walls 8, 16, 32 and 64 steps are wrong for 3.3, 1.7, 0.9 and 0.4 %, of those beside a sphere for
+// 1.7, 0.6, 0.2 and 0.04 %. Costs 1.25 to 1.75 times the published march: limits, a bound, and
+// samples whose places do not add up roundings.
 float hard_shadow(vec3 point, ReliefLight light, float texture_per_height, int steps)
 {
     ReliefRay ray = relief_ray(vec3(point.xy, point.z + SHADOW_LIFT), light.direction,
@@ -123,11 +125,15 @@ float hard_shadow(vec3 point, ReliefLight light, float texture_per_height, int s
     if (ray.velocity.z * way_to_light + (ray.start.z + 0.5) < 0.0) {
         return 0.0;
     }
-    int count = relief_steps(steps);
-    float way = min(ray.end, way_to_light) / float(count);
+    float end = min(ray.end, way_to_light);
+    float share = end * max(ray.velocity.z, 1.0 / RELIEF_MAX_WAY);
+    int count = relief_steps(int(ceil(float(relief_steps(steps)) * share)));
+    float way = end / float(count);
     float lit = 1.0;
-    for (int i = 1; i <= count; ++i) {
-        if (relief_gaps(ray, float(i) * way, RELIEF_SOLID).y > 0.0) {
+    for (int i = 1; i < count; ++i) {
+        vec3 position = relief_position(ray, float(i) * way);
+        // Below the box's top a height beyond it, and a NaN, are told as they would be in the box.
+        if (solid_height(position.xy) > position.z) {
             lit = 0.0;
             break;
         }
@@ -192,7 +198,8 @@ float ground_way(LightPlane plane, int sample_index, int count)
 // The least that is found is within 3e-4 of an edge's (1e-3 of a wall's, with 16 halvings), for
 // lights of 0.02 and more; 8, 16, 32 and 64 steps lose 4.0, 1.5, 0.4 and 0.1 % of the edges of a
 // sphere by more than 2e-3 of the light, and 3.7, 1.3, 0.7 and 0.4 % of those of walls. Costs 2
-// iterations more samples than the published march, which does not refine.
+// iterations more samples than the published march, which does not refine, and 5 to 7 times its
+// time on llvmpipe with 32 steps and 8 halvings: that march also stops at the box's top.
 float least_opening(vec3 point, ReliefLight light, float texture_per_height, int steps,
                     int iterations)
 {

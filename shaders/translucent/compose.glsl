@@ -65,7 +65,9 @@ vec3 translucent_view_light(TranslucentView view, TranslucentSurface surface)
 // material.glsl, so that neither the way in nor the way out needs a factor of the indices: in the
 // eye's own medium, that of index n1, it is the radiance. At total internal reflection only the
 // mirrored ray counts, for equal indices only the refracted one, which then is straight.
-// Error over flat layers: 3e-7 of the light.
+// Error over flat layers: 3e-7 of the light. Costs 2 to 8 times the published form on llvmpipe, and
+// far more where all that a ray may meet is alike, for there a compiler leaves out the published
+// searches.
 // Source: thesis section 4.2.1, paper algorithm 1, appendix A.2.
 vec3 compose_transparent(vec3 point, vec3 eye, TranslucentSurface surface)
 {

@@ -54,8 +54,9 @@ vec3 translucent_inner_direction(vec3 to_lamp, vec3 normal, TranslucentSurface s
 //
 // Error over flat layers: 2e-7. Over others it is that of the search: what lies between two
 // samples is not seen. 2 samples for each of light_search.x steps (of every part of a bent ray),
-// and light_search.y + 2 for each crossing. Costs the published form's arithmetic, and the
-// refraction at each face where it is asked for.
+// and light_search.y + 2 for each crossing. Costs 3 to 5 times the published
+// form on llvmpipe: each face's accurate share, and the refraction there, which is executed even
+// where it is not asked for.
 // Source: thesis section 4.2.2, paper algorithm 2, appendix A.2.
 vec3 get_light_vector(vec2 uv, TranslucentSurface surface)
 {
@@ -144,7 +145,8 @@ float translucent_irradiance(vec3 point, vec3 normal, TranslucentSurface surface
 // The solid's colour at uv in the light that reaches it: the light from everywhere and the lamp's
 // that passes the layer, a Lambertian surface's. Light as material.glsl has it: within the layer
 // the lamp's part is less by (n1 / n2)^2. The light from everywhere is not dimmed by the layer.
-// Error over flat layers: 3e-7 of the light.
+// Error over flat layers: 3e-7 of the light. Costs 4.5 to 5.5 times the published form on llvmpipe,
+// nearly all of it get_light_vector's.
 // Source: thesis appendix A.2.
 vec3 assemble_surface_sample(vec2 uv, TranslucentSurface surface)
 {
