@@ -31,13 +31,8 @@ vec2 ray_tree_cross(vec2 light, float left, float least, inout RayTree tree)
     return vec2(0.0);
 }
 
-<<<<<<< HEAD
 // The shares of a face for light of both polarisations that comes at these cosines before and
 // behind it. They are the same from both sides, and exact from the thinner one.
-=======
-// The shares of a face for light of both polarisations, with these cosines before it and behind.
-// They are the same from both sides, and exact from the thinner one.
->>>>>>> main
 vec4 ray_tree_face(float n_before, float n_behind, float before, float behind)
 {
     bool thinner = n_behind < n_before;

@@ -19,12 +19,8 @@ vec3 reflection_position(vec3 point, vec3 ray, TranslucentSurface surface)
     return t >= 0.0 ? vec3(relief_position(along, t).xy, t) : vec3(along.start.xy, -1.0);
 }
 
-<<<<<<< HEAD
 // The same by a search of the solid layer, which costs 1 + refraction_search.x + .y samples at
 // most.
-=======
-// The same by a search of the solid, which costs 1 + refraction_search.x + .y samples at most.
->>>>>>> main
 vec3 reflection_hit(vec3 point, vec3 ray, TranslucentSurface surface)
 {
     ReliefHit hit = find_layers(relief_ray(point, ray, surface.texture_per_height), RELIEF_SOLID,
