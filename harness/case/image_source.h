@@ -22,7 +22,7 @@ struct ImageSource {
     std::uint32_t width = 0;           // with channels
     std::uint32_t height = 0;
     ImageShape shape = ImageShape::kFlat;
-    bool levels = false;  // all of them, or one
+    bool levels = false;             // all of them, or one
     std::optional<bake::Plan> bake;  // then the image is that map of what is read or computed
     Sampling sampling;
     Place place;
