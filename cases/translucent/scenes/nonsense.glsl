@@ -41,27 +41,27 @@ vec3 environment(vec3 direction)
 // Searches of any length take long: their counts are -8 .. 55.
 TranslucentSurface surface()
 {
-    TranslucentSurface any;
-    any.n1 = n1;
-    any.n2 = n2;
-    any.absorb_color = c;
-    any.half_distance = bits.z;
-    any.texture_per_height = c.y;
-    any.extent = vec4(-65536.0, c.x, 65536.0, 65536.0);
-    any.lamp = lamp;
-    any.attenuation = c.zxy;
-    any.global_ambient = bits.yxz;
-    any.ambient = c.yzx;
-    any.diffuse = bits.xzy;
-    any.specular = lamp.xyz;
-    any.gloss = c.z;
-    any.strength = lamp.w;
-    any.light_way = counts.z & 1;
-    any.mirror = counts.z & 3;
-    any.plane = bits.x;
-    any.frame = mat3(bits, c, lamp.yzw);
-    any.view_search = (counts.xy & 63) - 8;
-    any.refraction_search = (counts.yx & 63) - 8;
-    any.light_search = (counts.xz & 63) - 8;
-    return any;
+    TranslucentSurface made;
+    made.n1 = n1;
+    made.n2 = n2;
+    made.absorb_color = c;
+    made.half_distance = bits.z;
+    made.texture_per_height = c.y;
+    made.extent = vec4(-65536.0, c.x, 65536.0, 65536.0);
+    made.lamp = lamp;
+    made.attenuation = c.zxy;
+    made.global_ambient = bits.yxz;
+    made.ambient = c.yzx;
+    made.diffuse = bits.xzy;
+    made.specular = lamp.xyz;
+    made.gloss = c.z;
+    made.strength = lamp.w;
+    made.light_way = counts.z & 1;
+    made.mirror = counts.z & 3;
+    made.plane = bits.x;
+    made.frame = mat3(bits, c, lamp.yzw);
+    made.view_search = (counts.xy & 63) - 8;
+    made.refraction_search = (counts.yx & 63) - 8;
+    made.light_search = (counts.xz & 63) - 8;
+    return made;
 }
