@@ -12,7 +12,7 @@ float optics_nonnegative(float x)
 // 1 / (constant + linear d + quadratic d^2), at most 1. d is the distance, in any unit; the factors
 // count as 0 where they are negative or no number, and all are limited to 2^40. With a denominator
 // below 1 (all factors 0 among them) the lamp is not brighter than itself: 1. Error: 4 ulp. Costs
-// 1.8 times the published form: the limits.
+// about twice the published form: the limits.
 // Source: thesis appendix A.2, OpenGL 2.0 section 2.14.1.
 float light_attenuation(float d, float constant, float linear, float quadratic)
 {

@@ -10,7 +10,7 @@
 // 4e-7, for up to that rounding alone may make it of grazing light.
 // Equal indices: 1. Error: as fresnel_transmittance at the rounded -dot(light_dir, normal); that
 // rounding costs 2e-5 where cos_t > 0.1, but near the critical angle its root, up to 4e-3.
-// Costs 12 times the published form, as fresnel.glsl says.
+// Costs 12 to 19 times the published form, as fresnel.glsl says.
 // Source: thesis appendix A.2, refraction_intensity, with eqs. (9)-(12).
 float refraction_intensity(vec3 normal, vec3 light_dir, float n1, float n2)
 {

@@ -189,8 +189,8 @@ ReliefHit refine_itp(ReliefRay ray, ReliefHit hit, int iterations)
 
 // The translucent layer's crossing between range1, above it, and range2, not above it: so many
 // bisections, then linearly_approximate. Texture coordinates are limited to +-65536, z to the box;
-// iterations to 0 .. 32. iterations + 2 samples at most. Costs 1.45 times the published form: the
-// limits, and both ends' samples, which that form may leave out.
+// iterations to 0 .. 32. iterations + 2 samples at most. Costs 1.4 to 2.1 times the published
+// form: the limits, and both ends' samples, which that form may leave out.
 vec3 refine_tlayer_int(vec3 range1, vec3 range2, int iterations)
 {
     vec3 p1 = vec3(relief_finite(range1.x, 65536.0), relief_finite(range1.y, 65536.0),
