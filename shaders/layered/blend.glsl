@@ -21,8 +21,8 @@ vec3 layered_mix(vec3 outer, float outer_share, vec3 inner, float inner_share)
 
 // Outer and inner layer by the transparency of the outer one and the cosine between normal and eye:
 // the inner layer's share is transparency * n_dot_v, as the article's text has it (its listing
-// squares the cosine, which hides the inner layer earlier). Error: 4 ulp. Costs 1.4 times the published
-// form: the limits.
+// squares the cosine, which hides the inner layer earlier). Error: 4 ulp. Costs 1.4 times
+// the published form: the limits.
 // Source: Oat, section "Inner Surface Layer", last paragraph.
 vec3 blend_layers(vec3 outer, vec3 inner, float transparency, float n_dot_v)
 {
@@ -49,8 +49,8 @@ vec3 blend_layers_fresnel(vec3 outer, vec3 inner, float transparency, float n1, 
 
 // The light that leaves the surface: the mirrored environment by the share that is mirrored, the
 // layers' colour, lit at the cosine n_dot_l, by the rest. reflectance is fresnel_reflectance at the
-// eye's cosine; 0 leaves the diffuse light alone. Error: 4 ulp. Costs 2.4 to 3.4 times the published
-// form: the shares and the limits.
+// eye's cosine; 0 leaves the diffuse light alone. Error: 4 ulp. Costs 2.4 to 3.4 times the
+// published form: the shares and the limits.
 // Source: Oat, end of the second listing; the shares, which keep the sum within one, are ours.
 vec3 light_layers(vec3 base, float n_dot_l, vec3 specular, float reflectance)
 {

@@ -55,8 +55,8 @@ TranslucentSight reflection_sight(vec3 ray, vec3 point, vec3 normal, vec3 eye,
 // The light that the mirrored ray brings to the point, without the face's share. normal is the
 // face's, eye the direction to the eye. Error over flat layers: 3e-7 of the light, and that of
 // half_vector_highlight.
-// Costs the light's way to the mirrored point, which the published form leaves out; 1.2 to 1.7 times
-// that form where the environment is all that is mirrored.
+// Costs the light's way to the mirrored point, which the published form leaves out; 1.2 to 1.7
+// times that form where the environment is all that is mirrored.
 // Source: thesis sections 4.1.3, 4.2.1, appendix A.2.
 vec3 sample_reflection(vec3 ray, vec3 point, vec3 normal, vec3 eye, TranslucentSurface surface)
 {
