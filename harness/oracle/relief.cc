@@ -34,7 +34,10 @@ struct Linear {
         if (At(from) <= 0) {
             return from;
         }
-        const Real t = b < 0 ? std::max(-a / b, from) : kInfinity;
+        if (!(b < 0)) {
+            return kNone;
+        }
+        const Real t = std::max(-a / b, from);
         return t <= to ? t : kNone;
     }
 };

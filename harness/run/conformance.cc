@@ -13,13 +13,13 @@
 #include "base/format.h"
 #include "report/text.h"
 #include "run/case_choice.h"
-#include "run/case_note.h"
 #include "run/case_run.h"
 #include "run/fit.h"
 #include "run/gtest_flags.h"
 #include "run/gtest_report.h"
 #include "run/listener.h"
 #include "run/read_catalogue.h"
+#include "run/ready_cases.h"
 #include "run/schedule.h"
 
 namespace etalon {
@@ -251,22 +251,10 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     }
     // Static, because GoogleTest keeps the tests, and what they refer to, until the process ends.
     static Shared shared;
-    for (const std::string& path : paths) {
-        const auto begin = std::chrono::steady_clock::now();
-        ETALON_TRY(source, ReadCase(choice.root, path));
-        if (choice.depth == Depth::kFull) {
-            TakeFullCounts(source);
-        }
-        ETALON_TRY(prepared, choice.at.empty() ? Prepare(source) : PrepareAt(source, choice.at));
-        CaseNote note;
-        note.path = path;
-        if (choice.catalogue) {
-            ETALON_TRY_STEP(CheckCovers(source, catalogue));
-            note = NoteOf(source);
-        }
-        note.seconds = SecondsSince(begin);
-        shared.record.cases.push_back(std::move(note));
-        shared.cases.push_back(std::move(prepared));
+    ETALON_TRY(ready, MakeReady(choice, paths, catalogue));
+    for (ReadyCase& one : ready) {
+        shared.record.cases.push_back(std::move(one.note));
+        shared.cases.push_back(std::move(one.prepared));
     }
     ETALON_TRY(devices, OpenDevices(choice.devices));
     shared.devices = std::move(devices);
