@@ -3,7 +3,7 @@
 // Level 0 is the map itself; level k has been blurred by a Gaussian of standard deviation
 // sigma_1 2^(k-1), in texture coordinates, and may be kept at size 2^(n-k) for a map of size 2^n,
 // down to one texel at level n. `vec3 blurred(vec2 uv, int level)` gives their colours, which
-// count as 0..2^40; what is no number counts as 0.
+// count as 0..65504; what is no number counts as 0.
 #ifndef ETALON_TRANSLUCENT_SCATTERING
 #define ETALON_TRANSLUCENT_SCATTERING
 
@@ -53,7 +53,7 @@ float scattering_sigma(float d, float spread)
 
 vec3 scattering_color(vec2 uv, int level)
 {
-    return optics_limit(optics_number(blurred(uv, level)), 0.0, 1099511627776.0);
+    return optics_limit(optics_number(blurred(uv, level)), 0.0, 65504.0);
 }
 
 // The colour at uv blurred by sigma.
