@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "device/cpu/cpu_device.h"
 #include "device/gl/gl_device.h"
 #include "device/null/null_device.h"
 #include "device/vulkan/vulkan_device.h"
@@ -14,6 +15,7 @@ const std::vector<Backend>& Backends() {
         {"vulkan", VulkanCandidates, OpenVulkanDevice},
         {"osmesa", OsmesaCandidates, OpenOsmesaDevice},
         {"egl", EglCandidates, OpenEglDevice},
+        {"cpu", CpuCandidates, OpenCpuDevice},
         {"null", NullCandidates, OpenNullDevice},
     };
     return backends;

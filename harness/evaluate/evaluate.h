@@ -1,0 +1,64 @@
+// Evaluates a compute probe (probe/program.h) on the host.
+//
+// Number is the type of every floating-point value: float, each operation rounded correctly in the
+// order of the source, with subnormal numbers; double; Big (number_big.h). What holds for all:
+//   - integers and bools are exact and have 32 bits; bit casts see and yield binary32, to which
+//     numbers are rounded;
+//   - the functions of GLSL.std.450 that stand for a formula (length, mix, reflect...) are that
+//     formula's operations, each rounded; elementary functions (sin, pow...) are those of the host
+//     in binary64, rounded once, of Big those of MPFR;
+//   - what the specification leaves undefined has one meaning: a variable without a value is 0, a
+//     division by 0 of integers is 0 and its remainder is the dividend, shifts take the lowest five
+//     bits, conversions to integers saturate (of a NaN: 0), of two zeros min and max take the
+//     first. An index out of range is an error.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "evaluate/plan.h"
+
+namespace etalon::evaluate {
+
+struct Texture {
+    std::shared_ptr<const Image> image;
+    Sampling sampling;
+};
+
+struct Limits {
+    // Iterations of loops and calls of functions, together, of one row.
+    std::uint32_t steps = 1u << 22;
+};
+
+// Words by columns, as a device takes them.
+template <typename Number>
+struct Rows {
+    std::uint32_t count = 0;
+    std::span<const std::uint32_t> inputs;
+    std::span<std::uint32_t> outputs;
+    // Empty, or as large as `outputs`: the outputs before they were rounded to binary32. Of an
+    // output that is no float, its bits taken as one.
+    std::span<Number> exact = {};
+};
+
+template <typename Number>
+class Evaluator {
+  public:
+    // The plan and the images must outlive it; images stand in the order of their bindings.
+    Evaluator(std::shared_ptr<const Plan> plan, std::vector<Texture> images, Limits limits = {});
+    ~Evaluator();
+    Evaluator(const Evaluator&) = delete;
+    Evaluator& operator=(const Evaluator&) = delete;
+
+    // Fails with the row and the line where a row goes beyond the limits, a buffer or an array.
+    Status<> Run(const Rows<Number>& rows);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace etalon::evaluate
