@@ -26,13 +26,6 @@ Result<std::shared_ptr<const Plan>> MakePlan(spirv::Module module) {
     return Translator(std::move(module)).Translate();
 }
 
-Translator::Translator(spirv::Module module)
-    : module_([&]() -> const spirv::Module& {
-          plan_ = std::make_shared<Plan>();
-          plan_->module = std::move(module);
-          return plan_->module;
-      }()) {}
-
 Error Translator::Wrong(const Instruction& instruction, const std::string& reason) const {
     std::string where = "SPIR-V word " + std::to_string(instruction.word);
     if (instruction.line != kNone) {

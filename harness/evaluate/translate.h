@@ -19,7 +19,7 @@ std::vector<std::uint32_t> OrderBlocks(const spirv::Function& function);
 
 class Translator {
   public:
-    explicit Translator(spirv::Module module);
+    explicit Translator(spirv::Module module) { plan_->module = std::move(module); }
 
     Result<std::shared_ptr<const Plan>> Translate();
 
@@ -65,8 +65,8 @@ class Translator {
                           const Instruction& instruction, const std::vector<std::uint32_t>& places,
                           Block& out);
 
-    const spirv::Module& module_;
-    std::shared_ptr<Plan> plan_;
+    const std::shared_ptr<Plan> plan_ = std::make_shared<Plan>();
+    const spirv::Module& module_ = plan_->module;
     std::vector<std::optional<Columns>> sizes_;      // by type; none where no column can hold it
     std::vector<Columns> places_;                    // by value
     std::vector<std::uint32_t> addresses_;           // by value: of pointers and images
