@@ -50,7 +50,9 @@ Result<std::shared_ptr<const Plan>> Translator::Translate() {
     ETALON_TRY_STEP(TranslateConstants());
     for (std::uint32_t i = 0; i < module_.variables.size(); ++i) {
         if (module_.values[module_.variables[i].value].function == kNone) {
-            ETALON_TRY_STEP(PlaceVariable(i, plan_->globals, false));
+            if (auto placed = PlaceVariable(i, plan_->globals, false); !placed) {
+                refused_[module_.variables[i].value] = placed.error().message;
+            }
         }
     }
     // Parameters and results first: a call may stand before its function.
@@ -408,6 +410,7 @@ Status<> Translator::TranslateExtended(const Instruction& instruction) {
     Address target;
     if (through_pointer) {
         const std::uint32_t type = module_.TypeOf(operands[2]).element;
+        ETALON_TRY_STEP(CheckAddress(instruction, operands[2]));
         target = plan_->addresses[addresses_[operands[2]]];
         if (target.space != Address::Space::kColumns) {
             return Wrong(instruction, "a pointer into a buffer is not supported here");
@@ -449,6 +452,7 @@ Status<> Translator::TranslateCall(const Instruction& instruction) {
         const std::uint32_t argument = operands[i + 1];
         const std::uint32_t parameter = function.parameters[i];
         if (slots_[call.function][i] != kNone) {
+            ETALON_TRY_STEP(CheckAddress(instruction, argument));
             call.pointers.push_back({slots_[call.function][i], addresses_[argument]});
         } else {
             ETALON_TRY(size, SizeOf(module_.values[argument].type));

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "evaluate/plan.h"
@@ -50,6 +52,7 @@ class Translator {
     Result<Columns> Allocate(std::uint32_t type);
     Columns Part(std::uint32_t& type, std::uint32_t index) const;
     Status<> PlaceVariable(std::uint32_t variable, std::vector<Step>& steps, bool is_set_first);
+    Status<> CheckAddress(const Instruction& instruction, std::uint32_t value) const;
     Status<> TranslateLoad(const Instruction& instruction);
     Status<> TranslateStore(const Instruction& instruction);
     Status<> TranslateChain(const Instruction& instruction);
@@ -67,9 +70,10 @@ class Translator {
 
     const std::shared_ptr<Plan> plan_ = std::make_shared<Plan>();
     const spirv::Module& module_ = plan_->module;
-    std::vector<std::optional<Columns>> sizes_;      // by type; none where no column can hold it
-    std::vector<Columns> places_;                    // by value
-    std::vector<std::uint32_t> addresses_;           // by value: of pointers and images
+    std::vector<std::optional<Columns>> sizes_;  // by type; none where no column can hold it
+    std::vector<Columns> places_;                // by value
+    std::vector<std::uint32_t> addresses_;       // by value: of pointers and images
+    std::unordered_map<std::uint32_t, std::string> refused_;  // by value: why it has no address
     std::vector<std::uint32_t> bits_;                // by value: column of the number, or kNone
     std::vector<std::vector<std::uint32_t>> slots_;  // by function and parameter
 };

@@ -198,8 +198,19 @@ bool Translator::IsSetFirst(const spirv::Function& function, std::uint32_t varia
     return false;
 }
 
+// A variable that cannot be placed is refused where it is used: many are only declared.
+Status<> Translator::CheckAddress(const Instruction& instruction, std::uint32_t value) const {
+    if (addresses_[value] != kNone) {
+        return Ok();
+    }
+    const auto reason = refused_.find(value);
+    return Wrong(instruction,
+                 reason != refused_.end() ? reason->second : "its pointer is not supported");
+}
+
 Status<> Translator::TranslateLoad(const Instruction& instruction) {
     const std::uint32_t pointer = module_.Operands(instruction)[0];
+    ETALON_TRY_STEP(CheckAddress(instruction, pointer));
     const Address& address = plan_->addresses[addresses_[pointer]];
     if (address.space == Address::Space::kImage) {
         addresses_[instruction.result] = addresses_[pointer];
@@ -222,6 +233,7 @@ Status<> Translator::TranslateLoad(const Instruction& instruction) {
 
 Status<> Translator::TranslateStore(const Instruction& instruction) {
     const std::span<const std::uint32_t> operands = module_.Operands(instruction);
+    ETALON_TRY_STEP(CheckAddress(instruction, operands[0]));
     const Address& address = plan_->addresses[addresses_[operands[0]]];
     auto size = SizeOf(module_.values[operands[1]].type);
     if (!size) {
@@ -251,6 +263,7 @@ std::optional<std::uint32_t> Translator::ConstantWord(std::uint32_t value) const
 
 Status<> Translator::TranslateChain(const Instruction& instruction) {
     const std::span<const std::uint32_t> operands = module_.Operands(instruction);
+    ETALON_TRY_STEP(CheckAddress(instruction, operands[0]));
     Address address = plan_->addresses[addresses_[operands[0]]];
     if (address.space == Address::Space::kImage) {
         return Wrong(instruction, "arrays of images are not supported");
@@ -330,6 +343,9 @@ void Translator::NoteBits(const Instruction& instruction) {
         return;
     }
     if (!ReturnsBits(module_.functions[operands[0]])) {
+        return;
+    }
+    if (addresses_[operands[1]] == kNone) {
         return;
     }
     const Address& address = plan_->addresses[addresses_[operands[1]]];
