@@ -52,8 +52,8 @@ ETALON_WORDS_2(SLessThanEqual, Signed(a) <= Signed(b))
     }
 
 ETALON_COMPARE(FOrdEqual, O::Equal(a, b))
-ETALON_COMPARE(FUnordEqual, O::Equal(a, b) | O::IsNan(a) | O::IsNan(b))
-ETALON_COMPARE(FOrdNotEqual, O::Less(a, b) | O::Less(b, a))
+ETALON_COMPARE(FUnordEqual, !(O::Less(a, b) || O::Less(b, a)))
+ETALON_COMPARE(FOrdNotEqual, O::Less(a, b) || O::Less(b, a))
 ETALON_COMPARE(FUnordNotEqual, !O::Equal(a, b))
 ETALON_COMPARE(FOrdLessThan, O::Less(a, b))
 ETALON_COMPARE(FUnordLessThan, !O::LessEqual(b, a))

@@ -20,11 +20,13 @@ constexpr std::size_t kRows = 1000;
 // All kinds of floats: any bits, and near one.
 std::vector<float> SomeFloats(std::uint32_t seed) {
     std::mt19937 random(seed);
-    std::vector<float> values = {0.0f, -0.0f, 1.0f, -1.0f, 0.5f, 1.5f, 2.5f, -2.5f, 1e-40f, 3e38f,
-                                 INFINITY, -INFINITY, NAN};
+    std::vector<float> values = {0.0f,  -0.0f,  1.0f,  -1.0f,    0.5f,      1.5f, 2.5f,
+                                 -2.5f, 1e-40f, 3e38f, INFINITY, -INFINITY, NAN};
     std::uniform_real_distribution<float> near(-4.0f, 4.0f);
     while (values.size() < kRows) {
-        values.push_back(values.size() % 3 == 0 ? std::bit_cast<float>(static_cast<std::uint32_t>(random())) : near(random));
+        values.push_back(values.size() % 3 == 0
+                             ? std::bit_cast<float>(static_cast<std::uint32_t>(random()))
+                             : near(random));
     }
     std::shuffle(values.begin(), values.end(), random);
     return values;
@@ -40,7 +42,8 @@ Words SomeWords(std::uint32_t seed) {
     std::mt19937 random(seed);
     Words words = {0, 1, 2, 31, 32, 0xffffffffu, 0x80000000u, 0x7fffffffu};
     while (words.size() < kRows) {
-        words.push_back(static_cast<std::uint32_t>(words.size() % 2 == 0 ? random() : random() % 64));
+        words.push_back(
+            static_cast<std::uint32_t>(words.size() % 2 == 0 ? random() : random() % 64));
     }
     std::shuffle(words.begin(), words.end(), random);
     return words;
@@ -54,9 +57,15 @@ struct FloatRow {
     std::function<float(float, float)> host;
 };
 
-float Min(float a, float b) { return b < a ? b : a; }
-float Max(float a, float b) { return a < b ? b : a; }
-float Wide(double x) { return static_cast<float>(x); }
+float Min(float a, float b) {
+    return b < a ? b : a;
+}
+float Max(float a, float b) {
+    return a < b ? b : a;
+}
+float Wide(double x) {
+    return static_cast<float>(x);
+}
 
 TEST(Operations, OfFloatsAreTheHosts) {
     const std::vector<FloatRow> rows = {
@@ -74,7 +83,9 @@ TEST(Operations, OfFloatsAreTheHosts) {
         {"trunc(a)", [](float a, float) { return std::trunc(a); }},
         {"roundEven(a)", [](float a, float) { return std::nearbyint(a); }},
         {"fract(a)", [](float a, float) { return a - std::floor(a); }},
-        {"sign(a)", [](float a, float) { return a > 0 ? 1.0f : a < 0 ? -1.0f : a; }},
+        {"sign(a)", [](float a, float) { return a > 0   ? 1.0f
+                                                : a < 0 ? -1.0f
+                                                        : a; }},
         {"min(a, b)", Min},
         {"max(a, b)", Max},
         {"clamp(a, -1.0, 1.0)", [](float a, float) { return Min(Max(a, -1.0f), 1.0f); }},
@@ -132,7 +143,9 @@ struct WordRow {
     std::function<std::uint32_t(std::uint32_t, std::uint32_t)> host;
 };
 
-std::int32_t Signed(std::uint32_t word) { return static_cast<std::int32_t>(word); }
+std::int32_t Signed(std::uint32_t word) {
+    return static_cast<std::int32_t>(word);
+}
 
 TEST(Operations, OfWordsAreTheHosts) {
     using Word = std::uint32_t;
@@ -317,9 +330,9 @@ TEST(Operations, StructuresOfTwoResults) {
         "parts(x)", {"float x"});
     ASSERT_EQ(probed.error(), "");
     const std::vector<float> out = probed.Floats({{5.75f, -5.75f, 1e-40f, 0.0f}});
-    EXPECT_THAT(out, ElementsAre(0.75f, -0.75f, 1e-40f, 0.0f, 5.0f, -5.0f, -0.0f, 0.0f, 0.71875f,
-                                 -0.71875f, std::ldexp(1e-40f, 132), 0.0f, 3.0f, 3.0f, -132.0f,
-                                 0.0f));
+    EXPECT_THAT(
+        out, ElementsAre(0.75f, -0.75f, 1e-40f, 0.0f, 5.0f, -5.0f, -0.0f, 0.0f, 0.71875f, -0.71875f,
+                         std::ldexp(1e-40f, 132), 0.0f, 3.0f, 3.0f, -132.0f, 0.0f));
 }
 
 TEST(Operations, WiderNumbersKeepWhatBinary32Loses) {
@@ -339,8 +352,9 @@ TEST(Operations, WiderNumbersKeepWhatBinary32Loses) {
 }
 
 TEST(Operations, BitCastsSeeBinary32) {
-    const Probed probed("float third(float x) { return uintBitsToFloat(floatBitsToUint(x / 3.0)); }\n",
-                        "third(x)", {"float x"});
+    const Probed probed(
+        "float third(float x) { return uintBitsToFloat(floatBitsToUint(x / 3.0)); }\n", "third(x)",
+        {"float x"});
     ASSERT_EQ(probed.error(), "");
     std::vector<double> exact;
     ASSERT_TRUE(probed.Words<double>({Bits({1.0f})}, &exact).ok());

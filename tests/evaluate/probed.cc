@@ -13,9 +13,8 @@ namespace etalon {
 Probed::Probed(const std::string& source, const std::string& expression,
                const std::vector<std::string>& inputs, const std::string& recipe,
                std::vector<BoundImage> images) {
-    const std::filesystem::path path =
-        std::filesystem::temp_directory_path() /
-        ("etalon-evaluate-" + std::to_string(getpid()) + ".glsl");
+    const std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                       ("etalon-evaluate-" + std::to_string(getpid()) + ".glsl");
     std::ofstream(path, std::ios::binary) << source;
     Call call;
     call.source = path;
