@@ -32,9 +32,12 @@ Status<> Reader::Announce() {
     std::vector<bool> taken(raw_.bound);
     std::uint32_t functions = 0;
     std::uint32_t labels = 0;
+    bool in_function = false;
     first_function_ = raw_.instructions.size();
     for (std::size_t i = 0; i < raw_.instructions.size(); ++i) {
         const RawInstruction& raw = raw_.instructions[i];
+        in_function =
+            raw.op == spv::Op::OpFunction || (in_function && raw.op != spv::Op::OpFunctionEnd);
         if (raw.result == 0) {
             continue;
         }
@@ -47,6 +50,9 @@ Status<> Reader::Announce() {
             ids_[raw.result] = {Id::Kind::kFunction, functions++, 0};
             labels = 0;
         } else if (raw.op == spv::Op::OpLabel) {
+            if (!in_function) {
+                return Wrong(raw, "stands outside a function");
+            }
             ids_[raw.result] = {Id::Kind::kLabel, labels++, functions - 1};
         } else if (raw.op == spv::Op::OpString) {
             ids_[raw.result] = {Id::Kind::kString, Word(raw, 0), 0};
