@@ -47,8 +47,8 @@ void Host(benchmark::State& state) {
     std::vector<float> out(kRows);
     for (auto _ : state) {
         for (std::uint32_t row = 0; row < kRows; ++row) {
-            out[row] = FresnelTransmittance(inputs.At(0, row), inputs.At(1, row),
-                                            inputs.At(2, row));
+            out[row] =
+                FresnelTransmittance(inputs.At(0, row), inputs.At(1, row), inputs.At(2, row));
         }
         benchmark::DoNotOptimize(out.data());
     }
