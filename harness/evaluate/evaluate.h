@@ -7,10 +7,11 @@
 //   - the functions of GLSL.std.450 that stand for a formula (length, mix, reflect...) are that
 //     formula's operations, each rounded; elementary functions (sin, pow...) are those of the host
 //     in binary64, rounded once, of Big those of MPFR;
-//   - what the specification leaves undefined has one meaning: a variable without a value is 0, a
-//     division by 0 of integers is 0 and its remainder is the dividend, shifts take the lowest five
-//     bits, conversions to integers saturate (of a NaN: 0), of two zeros min and max take the
-//     first. An index out of range is an error.
+//   - what the specification leaves undefined has one meaning: a variable without a value is 0; a
+//     division of integers by 0 is 0 and its remainder is the dividend; shifts take the lowest five
+//     bits; conversions to integers saturate, a NaN is 0; min, max and clamp take the number where
+//     the other is a NaN, and of two zeros the first; pow, acos and the like are the host's outside
+//     their domains. An index out of range is an error.
 #pragma once
 
 #include <cstdint>

@@ -363,8 +363,6 @@ Status<> Translator::TranslateOrdinary(const Instruction& instruction) {
             break;
         }
         case spv::Op::OpSelect:
-            step.extra = columns(operands[0]);
-            break;
         case spv::Op::OpVectorExtractDynamic:
         case spv::Op::OpVectorTimesMatrix:
         case spv::Op::OpOuterProduct:

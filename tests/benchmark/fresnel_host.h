@@ -1,4 +1,4 @@
-// fresnel_transmittance of shaders/optics/fresnel.glsl, compiled for the host as C++.
+// fresnel_transmittance of shaders/optics/fresnel.glsl, on the host.
 #pragma once
 
 namespace etalon {

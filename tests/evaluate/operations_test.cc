@@ -58,10 +58,10 @@ struct FloatRow {
 };
 
 float Min(float a, float b) {
-    return b < a ? b : a;
+    return std::isnan(a) || b < a ? b : a;
 }
 float Max(float a, float b) {
-    return a < b ? b : a;
+    return std::isnan(a) || a < b ? b : a;
 }
 float Wide(double x) {
     return static_cast<float>(x);

@@ -67,7 +67,7 @@ class Maker {
                            [](float p, float) { return std::sqrt(std::abs(p)); });
             case 9:
                 return two("min(" + x.text + ", " + y.text + ")",
-                           [](float p, float q) { return q < p ? q : p; });
+                           [](float p, float q) { return std::isnan(p) || q < p ? q : p; });
             case 10:
                 return two("dot(vec2(" + x.text + ", " + y.text + "), vec2(" + y.text + ", 0.75))",
                            [](float p, float q) { return p * q + q * 0.75f; });
