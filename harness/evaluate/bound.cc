@@ -1,8 +1,88 @@
 #include "evaluate/bound.h"
 
 #include <bit>
+#include <limits>
+#include <utility>
+
+#include "evaluate/interval_context.h"
+#include "evaluate/interval_image.h"
+#include "evaluate/interval_operations.h"
+#include "evaluate/run.h"
 
 namespace etalon::evaluate {
+
+std::uint32_t Context<Interval>::Decide(std::uint32_t lane, std::uint64_t alternatives) {
+    Way& way = ways[lane];
+    if (way.at < way.taken.size()) {
+        return way.taken[way.at++];
+    }
+    if (alternatives == 1 || lost.Has(lane)) {
+        return 0;
+    }
+    if (alternatives > Way::kMostAlternatives || way.taken.size() == Way::kMostChoices) {
+        Lose(lane);
+        return 0;
+    }
+    way.taken.push_back(0);
+    way.alternatives.push_back(static_cast<std::uint8_t>(alternatives));
+    ++way.at;
+    return 0;
+}
+
+std::int64_t Context<Interval>::DecideInteger(std::uint32_t lane, double low, double high) {
+    const double first = std::trunc(low);
+    const double last = std::trunc(high);
+    if (!(first >= std::numeric_limits<std::int32_t>::min() &&
+          last <= std::numeric_limits<std::uint32_t>::max())) {
+        Lose(lane);
+        return 0;
+    }
+    return static_cast<std::int64_t>(first) +
+           Decide(lane, static_cast<std::uint64_t>(last - first) + 1);
+}
+
+void Context<Interval>::Store(std::size_t place, const Bound& bound) {
+    Bound& hull = bounds[place];
+    if (!is_stored[place]) {
+        is_stored[place] = true;
+        hull = bound;
+        return;
+    }
+    const bool is_number = hull.kind == Bound::Kind::kNumber && bound.kind == Bound::Kind::kNumber;
+    const bool is_word = hull.kind == Bound::Kind::kWord && bound.kind == Bound::Kind::kWord;
+    if (is_number) {
+        hull.low = std::min(hull.low, bound.low);
+        hull.high = std::max(hull.high, bound.high);
+    } else if (!is_word || hull.word != bound.word) {
+        hull = {};
+    }
+}
+
+const TexelRange& Context<Interval>::RangeOf(const Image& image, std::uint32_t level) {
+    const auto [found, is_new] = levels.try_emplace({&image, level});
+    if (is_new) {
+        found->second.fill(
+            {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()});
+        const std::size_t texels = LevelSize(image, level).texels() * FaceCount(image);
+        const float* texel = image.rgba.data() + LevelStart(image, level);
+        for (std::size_t i = 0; i < 4 * texels; ++i) {
+            auto& [least, greatest] = found->second[i % 4];
+            least = std::min(least, texel[i]);
+            greatest = std::max(greatest, texel[i]);
+        }
+    }
+    return found->second;
+}
+
+void Context<Interval>::After(Machine<Interval>& m, const Step& step) const {
+    if (step.value == kNone || !m.plan->module.values[step.value].no_contraction) {
+        return;
+    }
+    for (std::uint32_t i = 0; i < step.size.floats; ++i) {
+        Interval* result = m.Floats(step.result.floats + i);
+        m.lanes.Each([&](std::uint32_t lane) { result[lane] = interval::Settle(result[lane]); });
+    }
+}
 
 bool Bound::Holds(std::uint32_t bits) const {
     switch (kind) {
@@ -18,10 +98,105 @@ bool Bound::Holds(std::uint32_t bits) const {
     return true;
 }
 
-std::vector<Bound> BoundOutputs(std::shared_ptr<const Plan>, const std::vector<Texture>&,
-                                const Profile&, std::uint32_t rows, std::span<const std::uint32_t>,
-                                std::uint32_t output_words, Limits) {
-    return std::vector<Bound>(std::size_t{rows} * output_words);
+namespace {
+
+// One way of one row, as far as it is given.
+struct Task {
+    std::uint32_t row = 0;
+    std::vector<std::uint8_t> taken;
+    std::vector<std::uint8_t> alternatives;
+};
+
+class Bounder {
+  public:
+    Bounder(std::shared_ptr<const Plan> plan, std::vector<Texture> images,
+            const Rows<Interval>& rows, std::span<Bound> bounds, Limits limits)
+        : runner_(std::move(plan), std::move(images), limits),
+          rows_(rows),
+          limits_(limits),
+          ways_(rows.count),
+          is_lost_(rows.count) {
+        runner_.rows = &rows_;
+        runner_.context.bounds = bounds;
+        runner_.context.is_stored.resize(bounds.size());
+    }
+
+    // Rows in their order, but the ways that are left of earlier ones first.
+    void RunAll() {
+        std::uint32_t next = 0;
+        while (next < rows_.count || !tasks_.empty()) {
+            std::vector<Task> batch;
+            while (batch.size() < kLanes && (next < rows_.count || !tasks_.empty())) {
+                if (tasks_.empty()) {
+                    batch.push_back({next++, {}, {}});
+                    continue;
+                }
+                if (!is_lost_[tasks_.back().row]) {
+                    batch.push_back(std::move(tasks_.back()));
+                }
+                tasks_.pop_back();
+            }
+            RunBatch(batch);
+        }
+        for (std::size_t i = 0; i < runner_.context.bounds.size(); ++i) {
+            if (is_lost_[i % rows_.count]) {
+                runner_.context.bounds[i] = {};
+            }
+        }
+    }
+
+  private:
+    void RunBatch(const std::vector<Task>& batch) {
+        if (batch.empty()) {
+            return;
+        }
+        std::array<std::uint32_t, kLanes> row_of_lane;
+        runner_.context.lost = Mask{};
+        for (std::uint32_t lane = 0; lane < batch.size(); ++lane) {
+            row_of_lane[lane] = batch[lane].row;
+            runner_.context.ways[lane] = {batch[lane].taken, batch[lane].alternatives, 0};
+        }
+        runner_.RunLanes(std::span(row_of_lane).first(batch.size()));
+        for (std::uint32_t lane = 0; lane < batch.size(); ++lane) {
+            const std::uint32_t row = batch[lane].row;
+            const Way& way = runner_.context.ways[lane];
+            if (runner_.context.lost.Has(lane) || ++ways_[row] > limits_.ways) {
+                is_lost_[row] = true;
+                continue;
+            }
+            for (std::size_t at = batch[lane].taken.size(); at < way.taken.size(); ++at) {
+                const auto begin = way.taken.begin();
+                for (std::uint8_t other = 1; other < way.alternatives[at]; ++other) {
+                    Task task{row, {begin, begin + static_cast<std::ptrdiff_t>(at)}, {}};
+                    task.taken.push_back(other);
+                    task.alternatives.assign(
+                        way.alternatives.begin(),
+                        way.alternatives.begin() + static_cast<std::ptrdiff_t>(at) + 1);
+                    tasks_.push_back(std::move(task));
+                }
+            }
+        }
+    }
+
+    Runner<Interval> runner_;
+    const Rows<Interval> rows_;
+    const Limits limits_;
+    std::vector<std::uint32_t> ways_;  // by row: those taken
+    std::vector<bool> is_lost_;        // by row
+    std::vector<Task> tasks_;
+};
+
+}  // namespace
+
+std::vector<Bound> BoundOutputs(std::shared_ptr<const Plan> plan,
+                                const std::vector<Texture>& images, const Profile& profile,
+                                std::uint32_t rows, std::span<const std::uint32_t> inputs,
+                                std::uint32_t output_words, Limits limits) {
+    const Held held(profile);
+    std::vector<Bound> bounds(std::size_t{rows} * output_words);
+    Bounder bounder(std::move(plan), images, {rows, inputs, {}, {}}, bounds, limits);
+    bounder.RunAll();
+    return bounds;
 }
 
 }  // namespace etalon::evaluate

@@ -32,6 +32,8 @@ struct Texture {
 struct Limits {
     // Iterations of loops and calls of functions, together, of one row.
     std::uint32_t steps = 1u << 22;
+    // Ways through the program that the undecided comparisons of one row may lead to; of bounds.
+    std::uint32_t ways = 64;
 };
 
 // Words by columns, as a device takes them.

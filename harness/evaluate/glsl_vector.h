@@ -1,6 +1,8 @@
 // GLSL.std.450 of vectors and matrices: the formulas of the specification, each operation rounded.
 #pragma once
 
+#include <spirv/unified1/GLSL.std.450.h>
+
 #include <array>
 
 #include "evaluate/glsl_scalar.h"

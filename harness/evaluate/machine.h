@@ -43,6 +43,7 @@ class Mask {
         }
         return any == 0;
     }
+    bool Has(std::uint32_t lane) const { return (words_[lane / 64] >> lane % 64 & 1) != 0; }
     bool operator==(const Mask&) const = default;
     template <typename F>
     void Each(F&& f) const {
@@ -93,6 +94,10 @@ struct Lanes {
     }
 };
 
+// What a number type needs beside its values.
+template <typename Number>
+struct Context {};
+
 template <typename Number>
 struct Machine {
     // Where a pointer leads at run time.
@@ -113,6 +118,7 @@ struct Machine {
     std::uint32_t first_row = 0;
     const Rows<Number>* rows = nullptr;
     std::string failure;  // the first, empty for none
+    [[no_unique_address]] Context<Number> context;
 
     Number* Floats(std::uint32_t column) { return floats.data() + std::size_t{column} * kLanes; }
     std::uint32_t* Words(std::uint32_t column) {
@@ -136,7 +142,9 @@ struct Machine {
     }
 
     void Fail(std::uint32_t lane, const Step& step, const std::string& reason) {
-        if (failure.empty()) {
+        if constexpr (requires { context.Lose(lane); }) {
+            context.Lose(lane);
+        } else if (failure.empty()) {
             failure = "row " + std::to_string(first_row + lane) + ": ";
             if (step.line != kNone) {
                 const spirv::Line& line = plan->module.lines[step.line];

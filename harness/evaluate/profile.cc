@@ -11,6 +11,7 @@ constexpr Profile Glsl() {
     profile.name = "glsl-4.60";
     profile.source = "OpenGL Shading Language 4.60, Range and Precision";
     profile.bounds_trigonometry = false;
+    profile.weight_absolute = 1.0;
     return profile;
 }
 
@@ -21,15 +22,7 @@ constexpr Profile Vulkan13() {
     return profile;
 }
 
-constexpr Profile Vulkan14() {
-    Profile profile = Vulkan13();
-    profile.name = "vulkan-1.4";
-    profile.source = "Vulkan 1.4.304, Precision and Operation of SPIR-V Instructions";
-    profile.bounds_division_by_zero = true;
-    return profile;
-}
-
-constexpr std::array kProfiles = {Glsl(), Vulkan13(), Vulkan14()};
+constexpr std::array kProfiles = {Glsl(), Vulkan13()};
 
 }  // namespace
 

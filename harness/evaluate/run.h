@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <unordered_map>
 
 #include "evaluate/arithmetic.h"
@@ -53,6 +54,10 @@ struct Runner : Machine<N> {
     std::vector<Operation<N>> global_operations;  // by step of Plan::globals
     std::vector<Frame<N>> frames;                 // by function
 
+    Runner(std::shared_ptr<const Plan> what, std::vector<Texture> textures, Limits most);
+
+    // Runs the program, lane by lane at these rows; the context, `rows` and `first_row` are set.
+    void RunLanes(std::span<const std::uint32_t> rows_of_lanes);
     void RunFunction(std::uint32_t index);
     void RunBlock(const Block& block);
     void Leave(Frame<N>& frame, const Function& function, const Block& block);
@@ -129,10 +134,24 @@ void Runner<N>::RunBlock(const Block& block) {
     if (block.is_counted) {
         CountStep();
     }
+    if constexpr (requires { this->context.lost; }) {
+        if (!this->context.lost.IsEmpty()) {
+            this->killed.Add(this->context.lost);
+            Mask rest = this->lanes.mask;
+            rest.Remove(this->context.lost);
+            this->lanes.Set(rest);
+            if (rest.IsEmpty()) {
+                return;
+            }
+        }
+    }
     const Step* step = this->plan->steps.data() + block.first_step;
     const Operation<N>* run = operations.data() + block.first_step;
     for (std::uint32_t i = 0; i < block.steps; ++i) {
         run[i](*this, step[i]);
+        if constexpr (requires { this->context.After(*this, step[i]); }) {
+            this->context.After(*this, step[i]);
+        }
     }
 }
 
@@ -245,40 +264,60 @@ void Runner<N>::MovePhis(Frame<N>& frame, const Edge& edge, const Mask& mask) {
 }
 
 template <typename N>
-struct Evaluator<N>::State : Runner<N> {};
+Runner<N>::Runner(std::shared_ptr<const Plan> what, std::vector<Texture> textures, Limits most) {
+    ETALON_CHECK(textures.size() >= what->images);
+    this->plan = std::move(what);
+    this->images = std::move(textures);
+    this->limits = most;
+    this->slots.resize(this->plan->slots);
+    this->floats.resize(std::size_t{this->plan->columns.floats} * kLanes, Ops<N>::FromBits(0));
+    this->words.resize(std::size_t{this->plan->columns.words} * kLanes);
+    for (const Constant& constant : this->plan->constants) {
+        for (std::uint32_t i = 0; i < constant.floats.size(); ++i) {
+            std::fill_n(this->Floats(constant.place.floats + i), kLanes,
+                        Ops<N>::FromBits(constant.floats[i]));
+        }
+        for (std::uint32_t i = 0; i < constant.words.size(); ++i) {
+            std::fill_n(this->Words(constant.place.words + i), kLanes, constant.words[i]);
+        }
+    }
+    for (const Step& step : this->plan->steps) {
+        operations.push_back(OperationOf<N>(step.code));
+    }
+    for (const Step& step : this->plan->globals) {
+        global_operations.push_back(OperationOf<N>(step.code));
+    }
+    for (const Function& function : this->plan->functions) {
+        frames.emplace_back();
+        frames.back().waiting.resize(function.blocks.size());
+    }
+}
+
+template <typename N>
+void Runner<N>::RunLanes(std::span<const std::uint32_t> rows_of_lanes) {
+    this->killed = Mask{};
+    this->spent.fill(0);
+    this->lanes.Set(Mask::First(static_cast<std::uint32_t>(rows_of_lanes.size())));
+    for (const std::uint32_t column : this->plan->row_columns) {
+        std::uint32_t* row = this->Words(column);
+        std::fill_n(row, 3 * kLanes, 0);
+        std::copy(rows_of_lanes.begin(), rows_of_lanes.end(), row);
+    }
+    for (std::size_t i = 0; i < this->plan->globals.size(); ++i) {
+        global_operations[i](*this, this->plan->globals[i]);
+    }
+    RunFunction(this->plan->entry);
+}
+
+template <typename N>
+struct Evaluator<N>::State : Runner<N> {
+    using Runner<N>::Runner;
+};
 
 template <typename N>
 Evaluator<N>::Evaluator(std::shared_ptr<const Plan> plan, std::vector<Texture> images,
                         Limits limits)
-    : state_(std::make_unique<State>()) {
-    ETALON_CHECK(images.size() >= plan->images);
-    State& state = *state_;
-    state.plan = plan;
-    state.images = std::move(images);
-    state.limits = limits;
-    state.slots.resize(plan->slots);
-    state.floats.resize(std::size_t{plan->columns.floats} * kLanes, Ops<N>::FromBits(0));
-    state.words.resize(std::size_t{plan->columns.words} * kLanes);
-    for (const Constant& constant : plan->constants) {
-        for (std::uint32_t i = 0; i < constant.floats.size(); ++i) {
-            std::fill_n(state.Floats(constant.place.floats + i), kLanes,
-                        Ops<N>::FromBits(constant.floats[i]));
-        }
-        for (std::uint32_t i = 0; i < constant.words.size(); ++i) {
-            std::fill_n(state.Words(constant.place.words + i), kLanes, constant.words[i]);
-        }
-    }
-    for (const Step& step : plan->steps) {
-        state.operations.push_back(OperationOf<N>(step.code));
-    }
-    for (const Step& step : plan->globals) {
-        state.global_operations.push_back(OperationOf<N>(step.code));
-    }
-    for (const Function& function : plan->functions) {
-        state.frames.emplace_back();
-        state.frames.back().waiting.resize(function.blocks.size());
-    }
-}
+    : state_(std::make_unique<State>(std::move(plan), std::move(images), limits)) {}
 
 template <typename N>
 Evaluator<N>::~Evaluator() = default;
@@ -289,23 +328,12 @@ Status<> Evaluator<N>::Run(const Rows<N>& rows) {
     State& state = *state_;
     state.rows = &rows;
     state.failure.clear();
+    std::array<std::uint32_t, kLanes> row_of_lane;
     for (std::uint32_t first = 0; first < rows.count && state.failure.empty(); first += kLanes) {
         state.first_row = first;
-        state.killed = Mask{};
-        state.spent.fill(0);
-        state.lanes.Set(Mask::First(std::min(kLanes, rows.count - first)));
-        for (const std::uint32_t column : state.plan->row_columns) {
-            std::uint32_t* row = state.Words(column);
-            for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
-                row[lane] = first + lane;
-                row[kLanes + lane] = 0;
-                row[2 * kLanes + lane] = 0;
-            }
-        }
-        for (std::size_t i = 0; i < state.plan->globals.size(); ++i) {
-            state.global_operations[i](state, state.plan->globals[i]);
-        }
-        state.RunFunction(state.plan->entry);
+        const std::uint32_t count = std::min(kLanes, rows.count - first);
+        std::iota(row_of_lane.begin(), row_of_lane.begin() + count, first);
+        state.RunLanes(std::span(row_of_lane).first(count));
     }
     state.rows = nullptr;
     if (!state.failure.empty()) {

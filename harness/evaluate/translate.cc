@@ -373,6 +373,7 @@ Status<> Translator::TranslateOrdinary(const Instruction& instruction) {
             break;
         case spv::Op::OpBitcast:
             NoteBits(instruction);
+            step.is_output_only = IsOutputOnly(instruction.result);
             step.extra = sizes_[module_.values[operands[0]].type]->floats;
             break;
         default:

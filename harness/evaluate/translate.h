@@ -60,6 +60,7 @@ class Translator {
     // The number whose bits the value is, where that is plain to see.
     void NoteBits(const Instruction& instruction);
     bool ReturnsBits(const spirv::Function& function) const;
+    bool IsOutputOnly(std::uint32_t value) const;
     bool IsSetFirst(const spirv::Function& function, std::uint32_t variable) const;
     std::uint32_t AddAddress(const Address& address);
 

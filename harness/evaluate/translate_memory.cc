@@ -367,4 +367,46 @@ bool Translator::ReturnsBits(const spirv::Function& function) const {
            module_.Operands(body[2])[0] == body[1].result;
 }
 
+// True where a value is only ever stored in buffers, by its function or by those that call it. An
+// operand that is a literal of the same number is taken for a use.
+bool Translator::IsOutputOnly(std::uint32_t value) const {
+    const std::uint32_t home = module_.values[value].function;
+    const auto is_only_stored = [&](const Instruction& instruction) {
+        const std::span<const std::uint32_t> operands = module_.Operands(instruction);
+        if (std::find(operands.begin(), operands.end(), value) == operands.end()) {
+            return true;
+        }
+        if (instruction.op == spv::Op::OpStore) {
+            const spv::StorageClass storage = module_.TypeOf(operands[0]).storage;
+            return operands[0] != value && storage != spv::StorageClass::Function &&
+                   storage != spv::StorageClass::Private;
+        }
+        return instruction.op == spv::Op::OpReturnValue;
+    };
+    bool is_returned = false;
+    for (const spirv::Block& block : module_.functions[home].blocks) {
+        for (const Instruction& instruction : block.instructions) {
+            if (!is_only_stored(instruction)) {
+                return false;
+            }
+            is_returned = is_returned || (instruction.op == spv::Op::OpReturnValue &&
+                                          module_.Operands(instruction)[0] == value);
+        }
+    }
+    if (!is_returned) {
+        return true;
+    }
+    for (const spirv::Function& function : module_.functions) {
+        for (const spirv::Block& block : function.blocks) {
+            for (const Instruction& instruction : block.instructions) {
+                if (instruction.op == spv::Op::OpFunctionCall &&
+                    module_.Operands(instruction)[0] == home && !IsOutputOnly(instruction.result)) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
 }  // namespace etalon::evaluate

@@ -1,0 +1,483 @@
+// Functions of settled intervals: the range of the real function, widened as the profile says. All
+// but compositions of interval arithmetic rounds to nearest here, as the C library expects.
+
+#include <cfenv>
+#include <cmath>
+#include <numbers>
+
+#include "evaluate/interval.h"
+
+namespace etalon::evaluate::interval {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+class Nearest {
+  public:
+    Nearest() { std::fesetround(FE_TONEAREST); }
+    ~Nearest() { std::fesetround(FE_UPWARD); }
+    Nearest(const Nearest&) = delete;
+    Nearest& operator=(const Nearest&) = delete;
+};
+
+struct Real {
+    double low = 0;
+    double high = 0;
+};
+
+// Widened by more than the error of the C library's functions.
+Real Slack(double low, double high) {
+    return {low - std::abs(low) * 0x1p-50, high + std::abs(high) * 0x1p-50};
+}
+
+// The floats in the range, whatever the rounding mode; none below -kLargest but the infinity.
+Interval FloatsIn(const Real& range) {
+    if (!(range.low <= range.high)) {
+        return Anything();
+    }
+    auto low = static_cast<float>(range.low);
+    if (static_cast<double>(low) < range.low) {
+        low = std::nextafter(low, std::numeric_limits<float>::infinity());
+    }
+    auto high = static_cast<float>(range.high);
+    if (static_cast<double>(high) > range.high) {
+        high = std::nextafter(high, -std::numeric_limits<float>::infinity());
+    }
+    // Beyond the largest float come both that and the infinity.
+    const double last = Interval::kInfinity;
+    return Settled(range.low < -kLargest ? last : -std::min(kLargest, static_cast<double>(low)),
+                   range.high > kLargest ? last : std::max(-kLargest, static_cast<double>(high)));
+}
+
+// The most that `ulps` ulp are for values of which the one nearer to zero is `end`, up to `other`:
+// beyond the next power of two no value reaches back to `end`.
+double UlpsAt(double end, double other, double ulps) {
+    return ulps * RoundingOf(std::min(std::abs(other), 2 * std::abs(end)));
+}
+
+Real WidenedByUlps(const Real& x, double ulps) {
+    if (x.low > 0) {
+        return {std::max(0.0, x.low - UlpsAt(x.low, x.high, ulps)),
+                x.high + ulps * RoundingOf(x.high)};
+    }
+    if (x.high < 0) {
+        return {x.low - ulps * RoundingOf(-x.low),
+                std::min(0.0, x.high + UlpsAt(x.high, x.low, ulps))};
+    }
+    return {x.low - ulps * RoundingOf(-x.low), x.high + ulps * RoundingOf(x.high)};
+}
+
+Real Widened(const Real& x, double absolute) {
+    return {x.low - absolute, x.high + absolute};
+}
+
+// As far from the true range to either side as the formula's goes beyond it.
+Interval Inherited(const Real& truth, const Interval& formula) {
+    if (formula.IsAnything()) {
+        return Anything();
+    }
+    const double beyond = std::max({0.0, truth.low - formula.low(), formula.high - truth.high});
+    return FloatsIn(Widened(truth, beyond));
+}
+
+bool IsSilent() {
+    return !Held::profile().bounds_trigonometry;
+}
+
+Interval Exponential(const Interval& x, double (*function)(double)) {
+    if (!(x.magnitude < Interval::kInfinity)) {
+        return Anything();
+    }
+    const Nearest nearest;
+    const Profile& profile = Held::profile();
+    const double ulps = profile.exp_ulp + profile.exp_ulp_slope * x.magnitude;
+    // Far beyond the floats, and not yet beyond binary64.
+    const auto value = [&](double at) { return function(std::clamp(at, -700.0, 700.0)); };
+    return FloatsIn(WidenedByUlps(Slack(value(x.low()), value(x.high)), ulps));
+}
+
+Real LogarithmRange(const Interval& x, double (*function)(double)) {
+    const Profile& profile = Held::profile();
+    const Real truth = Slack(function(x.low()), function(x.high));
+    Real result = truth;
+    if (x.low() < 0.5 || x.high > 2) {
+        result = WidenedByUlps(truth, profile.log_ulp);
+    }
+    if (x.low() <= 2 && x.high >= 0.5) {
+        const Real absolute = Widened(truth, profile.log_absolute);
+        result = {std::min(result.low, absolute.low), std::max(result.high, absolute.high)};
+    }
+    return result;
+}
+
+Interval Logarithm(const Interval& x, double (*function)(double)) {
+    if (!(x.low() > 0 && x.high < Interval::kInfinity)) {
+        return Anything();
+    }
+    const Nearest nearest;
+    return FloatsIn(LogarithmRange(x, function));
+}
+
+bool IsInPeriod(const Interval& x) {
+    return x.magnitude <= kPi;
+}
+
+// Of an interval within [-pi, pi].
+Real SineRange(const Interval& x) {
+    const double a = std::sin(x.low());
+    const double b = std::sin(x.high);
+    Real range = Slack(std::min(a, b), std::max(a, b));
+    if (x.low() <= kPi / 2 && x.high >= kPi / 2) {
+        range.high = 1;
+    }
+    if (x.low() <= -kPi / 2 && x.high >= -kPi / 2) {
+        range.low = -1;
+    }
+    return range;
+}
+Real CosineRange(const Interval& x) {
+    const double a = std::cos(x.low());
+    const double b = std::cos(x.high);
+    Real range = Slack(std::min(a, b), std::max(a, b));
+    if (x.low() <= 0 && x.high >= 0) {
+        range.high = 1;
+    }
+    return range;
+}
+
+Interval Number(double x) {
+    return Settled(-x, x);
+}
+Interval One() {
+    return Number(1);
+}
+Interval Sub(const Interval& a, const Interval& b) {
+    return Add(a, Neg(b));
+}
+
+// 1 - x x with the product rounded by itself, or not at all, but never beyond [0, 1] for |x| <= 1.
+Interval OneWithoutSquare(const Interval& x) {
+    return Settle(Sub(One(), Settle(Square(x))));
+}
+
+// x + sqrt(x x + sign), and its logarithm.
+Interval LogarithmOfSum(const Interval& x, double sign) {
+    const Interval root = Sqrt(Settle(Add(Square(x), Number(sign))));
+    return Log(Settle(Add(x, root)));
+}
+
+Real Monotonic(const Interval& x, double (*function)(double)) {
+    return Slack(function(x.low()), function(x.high));
+}
+
+Interval HyperbolicFormula(const Interval& x, bool is_sine) {
+    const Interval up = Exp(x);
+    const Interval down = Exp(Neg(x));
+    return Settle(Mul(is_sine ? Sub(up, down) : Add(up, down), Number(0.5)));
+}
+
+}  // namespace
+
+// 1 / inversesqrt(x), of 0 its limit.
+Interval Sqrt(const Interval& x) {
+    if (!(x.low() >= 0 && x.high < Interval::kInfinity)) {
+        return Anything();
+    }
+    if (x.magnitude == 0) {
+        return x;
+    }
+    const Nearest nearest;
+    const Profile& profile = Held::profile();
+    const Real truth = Slack(std::sqrt(x.low()), std::sqrt(x.high));
+    // The relative error of the reciprocal; an ulp is at most kEpsilon of its value.
+    double relative = profile.inverse_sqrt_ulp * kEpsilon;
+    if (truth.low > 0) {
+        relative =
+            std::min(relative, profile.inverse_sqrt_ulp * RoundingOf(1 / truth.low) * truth.high);
+    }
+    relative *= 1 + 0x1p-20;
+    const Real inverted = {truth.low * (1 - relative), truth.high * (1 + relative)};
+    return FloatsIn(WidenedByUlps(inverted, profile.division_ulp));
+}
+
+Interval InverseSqrt(const Interval& x) {
+    if (!(x.low() >= kLeastNormal && x.high < Interval::kInfinity)) {
+        return Anything();
+    }
+    const Nearest nearest;
+    return FloatsIn(WidenedByUlps(Slack(1 / std::sqrt(x.high), 1 / std::sqrt(x.low())),
+                                  Held::profile().inverse_sqrt_ulp));
+}
+
+Interval Exp(const Interval& x) {
+    return Exponential(x, std::exp);
+}
+Interval Exp2(const Interval& x) {
+    return Exponential(x, std::exp2);
+}
+Interval Log(const Interval& x) {
+    return Logarithm(x, std::log);
+}
+Interval Log2(const Interval& x) {
+    return Logarithm(x, std::log2);
+}
+
+// exp2(y log2(x)).
+Interval Pow(const Interval& x, const Interval& y) {
+    if (!(x.low() > 0 && x.high < Interval::kInfinity && y.magnitude < Interval::kInfinity)) {
+        return Anything();
+    }
+    const Profile& profile = Held::profile();
+    Real truth;
+    Real logarithm;
+    {
+        const Nearest nearest;
+        truth = Slack(std::log2(x.low()), std::log2(x.high));
+        logarithm = LogarithmRange(x, std::log2);
+    }
+    const Interval exact = Mul(y, Settled(-truth.low, truth.high));
+    const Interval scaled =
+        Settle(Mul(y, Settled(FloatAbove(-logarithm.low), FloatAbove(logarithm.high))));
+    if (scaled.IsAnything()) {
+        return Anything();
+    }
+    const Nearest nearest;
+    const double off = std::max({0.0, exact.low() - scaled.low(), scaled.high - exact.high});
+    const double ulps = profile.exp_ulp + profile.exp_ulp_slope * scaled.magnitude;
+    const Real power = Slack(std::exp2(exact.low()), std::exp2(exact.high));
+    const double growth = std::exp2(off);
+    const Real low = WidenedByUlps({power.low / growth, power.low * growth}, ulps);
+    const Real high = WidenedByUlps({power.high / growth, power.high * growth}, ulps);
+    // Symmetric about the true value.
+    return FloatsIn({power.low - std::max(power.low - low.low, low.high - power.low),
+                     power.high + std::max(high.high - power.high, power.high - high.low)});
+}
+
+Interval Sin(const Interval& x) {
+    if (IsSilent() || !IsInPeriod(x)) {
+        return Anything();
+    }
+    const Nearest nearest;
+    return FloatsIn(Widened(SineRange(x), Held::profile().sine_absolute));
+}
+Interval Cos(const Interval& x) {
+    if (IsSilent() || !IsInPeriod(x)) {
+        return Anything();
+    }
+    const Nearest nearest;
+    return FloatsIn(Widened(CosineRange(x), Held::profile().sine_absolute));
+}
+// sin(x) / cos(x).
+Interval Tan(const Interval& x) {
+    if (IsSilent() || !IsInPeriod(x)) {
+        return Anything();
+    }
+    const Interval formula = Settle(Div(Sin(x), Cos(x)));
+    const Nearest nearest;
+    return Inherited(Monotonic(x, std::tan), formula);
+}
+
+Interval Atan(const Interval& x) {
+    if (IsSilent() || !(x.magnitude < Interval::kInfinity)) {
+        return Anything();
+    }
+    const Nearest nearest;
+    return FloatsIn(WidenedByUlps(Monotonic(x, std::atan), Held::profile().arc_tangent_ulp));
+}
+
+Interval Atan2(const Interval& y, const Interval& x) {
+    const bool may_be_origin = y.low() <= 0 && y.high >= 0 && x.low() <= 0 && x.high >= 0;
+    if (IsSilent() || may_be_origin || !(y.magnitude + x.magnitude < Interval::kInfinity)) {
+        return Anything();
+    }
+    const Nearest nearest;
+    Real range = {-kPi, kPi};
+    const bool crosses = x.low() < 0 && y.low() <= 0 && y.high >= 0;
+    if (!crosses) {
+        const double corners[] = {std::atan2(y.low(), x.low()), std::atan2(y.low(), x.high),
+                                  std::atan2(y.high, x.low()), std::atan2(y.high, x.high)};
+        range = {*std::min_element(std::begin(corners), std::end(corners)),
+                 *std::max_element(std::begin(corners), std::end(corners))};
+    }
+    return FloatsIn(WidenedByUlps(Slack(range.low, range.high), Held::profile().arc_tangent_ulp));
+}
+
+// atan2(x, sqrt(1 - x x)).
+Interval Asin(const Interval& x) {
+    if (IsSilent() || !(x.magnitude <= 1)) {
+        return Anything();
+    }
+    const Interval formula = Atan2(x, Sqrt(OneWithoutSquare(x)));
+    const Nearest nearest;
+    return Inherited(Monotonic(x, std::asin), formula);
+}
+// atan2(sqrt(1 - x x), x).
+Interval Acos(const Interval& x) {
+    if (IsSilent() || !(x.magnitude <= 1)) {
+        return Anything();
+    }
+    const Interval formula = Atan2(Sqrt(OneWithoutSquare(x)), x);
+    const Nearest nearest;
+    return Inherited(Slack(std::acos(x.high), std::acos(x.low())), formula);
+}
+
+Interval Sinh(const Interval& x) {
+    if (IsSilent()) {
+        return Anything();
+    }
+    const Interval formula = HyperbolicFormula(x, true);
+    const Nearest nearest;
+    return Inherited(Monotonic(x, std::sinh), formula);
+}
+Interval Cosh(const Interval& x) {
+    if (IsSilent()) {
+        return Anything();
+    }
+    const Interval formula = HyperbolicFormula(x, false);
+    const Nearest nearest;
+    const double least = std::max({x.low(), -x.high, 0.0});
+    return Inherited(Slack(std::cosh(least), std::cosh(x.magnitude)), formula);
+}
+Interval Tanh(const Interval& x) {
+    if (IsSilent()) {
+        return Anything();
+    }
+    const Interval formula = Settle(Div(Sinh(x), Cosh(x)));
+    const Nearest nearest;
+    return Inherited(Monotonic(x, std::tanh), formula);
+}
+Interval Asinh(const Interval& x) {
+    if (IsSilent()) {
+        return Anything();
+    }
+    const Interval formula = LogarithmOfSum(x, 1);
+    const Nearest nearest;
+    return Inherited(Monotonic(x, std::asinh), formula);
+}
+Interval Acosh(const Interval& x) {
+    if (IsSilent() || !(x.low() >= 1)) {
+        return Anything();
+    }
+    const Interval formula = LogarithmOfSum(x, -1);
+    const Nearest nearest;
+    return Inherited(Monotonic(x, std::acosh), formula);
+}
+Interval Atanh(const Interval& x) {
+    if (IsSilent() || !(x.magnitude < 1)) {
+        return Anything();
+    }
+    const Interval quotient = Settle(Div(Add(One(), x), Sub(One(), x)));
+    const Interval formula = Settle(Mul(Log(quotient), Number(0.5)));
+    const Nearest nearest;
+    return Inherited(Monotonic(x, std::atanh), formula);
+}
+
+Interval Floor(const Interval& x) {
+    return Settled(-std::floor(x.low()), std::floor(x.high));
+}
+Interval Ceil(const Interval& x) {
+    return Settled(-std::ceil(x.low()), std::ceil(x.high));
+}
+Interval Trunc(const Interval& x) {
+    return Settled(-std::trunc(x.low()), std::trunc(x.high));
+}
+Interval Round(const Interval& x) {
+    const Nearest nearest;
+    return Settled(-std::ceil(x.low() - 0.5), std::floor(x.high + 0.5));
+}
+Interval RoundEven(const Interval& x) {
+    const Nearest nearest;
+    return Settled(-std::nearbyint(x.low()), std::nearbyint(x.high));
+}
+Interval Fract(const Interval& x) {
+    const double whole = std::floor(x.low());
+    if (!(x.magnitude < Interval::kInfinity)) {
+        return Anything();
+    }
+    if (whole != std::floor(x.high)) {
+        return Settled(0, 1);
+    }
+    return Settled(FloatAbove(x.minus_low + whole), FloatAbove(x.high - whole));
+}
+
+namespace {
+
+// x - y round(x / y): symmetric about the true remainder where there is a single one.
+Interval Remainder(const Interval& x, const Interval& y, Interval (*round)(const Interval&),
+                   bool is_of_divisor) {
+    const Interval whole = round(Settle(Div(x, y)));
+    const Interval formula = Settle(Sub(x, Mul(y, whole)));
+    if (!x.IsPoint() || !y.IsPoint() || formula.IsAnything()) {
+        return formula;
+    }
+    const Nearest nearest;
+    double truth = std::fmod(x.high, y.high);
+    if (is_of_divisor && truth != 0 && (truth < 0) != (y.high < 0)) {
+        truth += y.high;
+    }
+    return Inherited(Slack(truth, truth), formula);
+}
+
+}  // namespace
+
+Interval Mod(const Interval& x, const Interval& y) {
+    return Remainder(x, y, Floor, true);
+}
+Interval Rem(const Interval& x, const Interval& y) {
+    return Remainder(x, y, Trunc, false);
+}
+
+Interval Abs(const Interval& x) {
+    if (x.IsAnything()) {
+        return x;
+    }
+    return Settled(-std::max({x.low(), -x.high, 0.0}), x.magnitude);
+}
+Interval Sign(const Interval& x) {
+    if (x.IsAnything()) {
+        return x;
+    }
+    const auto sign = [](double end) { return end > 0 ? 1.0 : end < 0 ? -1.0 : 0.0; };
+    return Settled(-sign(x.low()), sign(x.high));
+}
+Interval Min(const Interval& a, const Interval& b) {
+    if (a.IsAnything() || b.IsAnything()) {
+        return Anything();
+    }
+    return Settled(std::max(a.minus_low, b.minus_low), std::min(a.high, b.high));
+}
+Interval Max(const Interval& a, const Interval& b) {
+    if (a.IsAnything() || b.IsAnything()) {
+        return Anything();
+    }
+    return Settled(std::min(a.minus_low, b.minus_low), std::max(a.high, b.high));
+}
+Interval Hull(const Interval& a, const Interval& b) {
+    if (a.IsAnything() || b.IsAnything()) {
+        return Anything();
+    }
+    return Settled(std::max(a.minus_low, b.minus_low), std::max(a.high, b.high));
+}
+Interval Step(const Interval& edge, const Interval& x) {
+    if (edge.IsAnything() || x.IsAnything()) {
+        return Anything();
+    }
+    return Settled(x.low() >= edge.high ? -1 : 0, x.high < edge.low() ? 0 : 1);
+}
+Interval Smoothstep(const Interval& edge0, const Interval& edge1, const Interval& x) {
+    const Interval way = Settle(Div(Sub(x, edge0), Sub(edge1, edge0)));
+    const Interval t = Min(Max(way, Number(0)), One());
+    return Mul(Mul(t, t), Sub(Number(3), Mul(Number(2), t)));
+}
+
+Interval Ldexp(const Interval& x, std::int32_t exponent) {
+    const int power = std::clamp(exponent, -400, 400);
+    const double minus_low = std::ldexp(x.minus_low, power);
+    const double high = std::ldexp(x.high, power);
+    if (!(std::max(minus_low, high) <= kLargest)) {
+        return Anything();
+    }
+    return Settled(FloatAbove(minus_low), FloatAbove(high));
+}
+
+}  // namespace etalon::evaluate::interval

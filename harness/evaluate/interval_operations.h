@@ -1,0 +1,468 @@
+// The instructions whose meaning over intervals is not that of their numbers, one by one. Included
+// before run.h instantiates them.
+#pragma once
+
+#include <numbers>
+
+#include "evaluate/arithmetic.h"
+#include "evaluate/glsl_integer.h"
+#include "evaluate/glsl_scalar.h"
+#include "evaluate/glsl_vector.h"
+#include "evaluate/image.h"
+#include "evaluate/interval.h"
+#include "evaluate/interval_context.h"
+#include "evaluate/memory.h"
+#include "evaluate/relation.h"
+
+namespace etalon::evaluate {
+namespace operation {
+
+using IntervalMachine = Machine<Interval>;
+
+template <>
+inline void AddProduct(IntervalMachine& m, std::uint32_t a, std::uint32_t b, std::uint32_t result,
+                       bool is_first) {
+    const Interval* left = m.Floats(a);
+    const Interval* right = m.Floats(b);
+    Interval* sum = m.Floats(result);
+    m.lanes.Each([&](std::uint32_t lane) {
+        const Interval product =
+            a == b ? interval::Square(left[lane]) : interval::Mul(left[lane], right[lane]);
+        sum[lane] = is_first ? product : interval::Add(sum[lane], product);
+    });
+}
+template <>
+inline void FMul(IntervalMachine& m, const Step& step) {
+    for (std::uint32_t i = 0; i < step.components; ++i) {
+        AddProduct(m, m.Operand(step, 0).floats + i, m.Operand(step, 1).floats + i,
+                   step.result.floats + i, true);
+    }
+}
+template <>
+inline void FMod(IntervalMachine& m, const Step& step) {
+    m.FloatsToFloats2(step, [](const Interval& a, const Interval& b) {
+        return interval::Mod(interval::Settle(a), interval::Settle(b));
+    });
+}
+template <>
+inline void FRem(IntervalMachine& m, const Step& step) {
+    m.FloatsToFloats2(step, [](const Interval& a, const Interval& b) {
+        return interval::Rem(interval::Settle(a), interval::Settle(b));
+    });
+}
+
+template <typename F>
+void Decided(IntervalMachine& m, const Step& step, F f) {
+    for (std::uint32_t i = 0; i < step.components; ++i) {
+        const Interval* a = m.Floats(m.Operand(step, 0).floats + i);
+        std::uint32_t* result = m.Words(step.result.words + i);
+        m.lanes.Each(
+            [&](std::uint32_t lane) { result[lane] = f(lane, interval::Settle(a[lane])); });
+    }
+}
+
+template <>
+inline void ConvertFToU(IntervalMachine& m, const Step& step) {
+    Decided(m, step, [&](std::uint32_t lane, const Interval& a) {
+        return static_cast<std::uint32_t>(m.context.DecideInteger(lane, a.low(), a.high));
+    });
+}
+template <>
+inline void ConvertFToS(IntervalMachine& m, const Step& step) {
+    Decided(m, step, [&](std::uint32_t lane, const Interval& a) {
+        return static_cast<std::uint32_t>(m.context.DecideInteger(lane, a.low(), a.high));
+    });
+}
+
+// Which of the floats it is, and of a zero which sign.
+inline std::uint32_t DecideBits(IntervalMachine& m, std::uint32_t lane, const Interval& a) {
+    const auto ordered = [](double x) {
+        const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(x));
+        const auto magnitude = static_cast<std::int64_t>(bits & 0x7fffffffu);
+        return bits >> 31 != 0 ? -magnitude - 1 : magnitude;
+    };
+    // Both zeros where one is in it.
+    const std::int64_t first = ordered(a.low() == 0 ? -0.0 : a.low());
+    const std::int64_t last = ordered(a.high == 0 ? 0.0 : a.high);
+    const std::uint64_t count =
+        a.IsAnything() ? ~std::uint64_t{0} : static_cast<std::uint64_t>(last - first) + 1;
+    const std::int64_t chosen = first + m.context.Decide(lane, count);
+    return chosen < 0 ? 0x80000000u | static_cast<std::uint32_t>(-chosen - 1)
+                      : static_cast<std::uint32_t>(chosen);
+}
+template <>
+inline void Bitcast(IntervalMachine& m, const Step& step) {
+    if (step.is_output_only) {
+        // StoreOutput looks at the float.
+        for (std::uint32_t i = 0; i < step.components; ++i) {
+            std::uint32_t* result = m.Words(step.result.words + i);
+            m.lanes.Each([&](std::uint32_t lane) { result[lane] = 0; });
+        }
+    } else if (step.size.floats == 0 && step.extra != 0) {
+        Decided(m, step,
+                [&](std::uint32_t lane, const Interval& a) { return DecideBits(m, lane, a); });
+    } else if (step.size.floats == 0) {
+        m.WordsToWords1(step, [](std::uint32_t a) { return a; });
+    } else if (step.extra == 0) {
+        m.WordsToFloats1(step, [](std::uint32_t a) { return interval::FromBits(a); });
+    } else {
+        m.FloatsToFloats1(step, [](const Interval& a) { return a; });
+    }
+}
+
+// Calls certainly(a, b) and certainly_not(a, b) of settled intervals; where neither is, both ways
+// are taken.
+template <typename F, typename G>
+void Compared(IntervalMachine& m, const Step& step, F certainly, G certainly_not) {
+    for (std::uint32_t i = 0; i < step.components; ++i) {
+        const Interval* left = m.Floats(m.Operand(step, 0).floats + i);
+        const Interval* right = m.Floats(m.Operand(step, 1).floats + i);
+        std::uint32_t* result = m.Words(step.result.words + i);
+        m.lanes.Each([&](std::uint32_t lane) {
+            const Interval a = interval::Settle(left[lane]);
+            const Interval b = interval::Settle(right[lane]);
+            const bool is_open = a.IsAnything() || b.IsAnything();
+            if (!is_open && certainly(a, b)) {
+                result[lane] = 1;
+            } else if (!is_open && certainly_not(a, b)) {
+                result[lane] = 0;
+            } else {
+                result[lane] = m.context.Decide(lane, 2);
+            }
+        });
+    }
+}
+
+inline bool AllLess(const Interval& a, const Interval& b) {
+    return a.high < b.low();
+}
+inline bool NoneGreater(const Interval& a, const Interval& b) {
+    return a.high <= b.low();
+}
+inline bool AllEqual(const Interval& a, const Interval& b) {
+    return a.IsPoint() && b.IsPoint() && a.high == b.high;
+}
+inline bool Apart(const Interval& a, const Interval& b) {
+    return AllLess(a, b) || AllLess(b, a);
+}
+
+// Ordered and unordered comparisons are of numbers, and then the same.
+#define ETALON_COMPARE_INTERVALS(name, yes, no)                                \
+    template <>                                                                \
+    inline void FOrd##name(IntervalMachine& m, const Step& step) {             \
+        Compared(                                                              \
+            m, step, [](const Interval& a, const Interval& b) { return yes; }, \
+            [](const Interval& a, const Interval& b) { return no; });          \
+    }                                                                          \
+    template <>                                                                \
+    inline void FUnord##name(IntervalMachine& m, const Step& step) {           \
+        FOrd##name(m, step);                                                   \
+    }
+ETALON_COMPARE_INTERVALS(Equal, AllEqual(a, b), Apart(a, b))
+ETALON_COMPARE_INTERVALS(NotEqual, Apart(a, b), AllEqual(a, b))
+ETALON_COMPARE_INTERVALS(LessThan, AllLess(a, b), NoneGreater(b, a))
+ETALON_COMPARE_INTERVALS(GreaterThan, AllLess(b, a), NoneGreater(a, b))
+ETALON_COMPARE_INTERVALS(LessThanEqual, NoneGreater(a, b), AllLess(b, a))
+ETALON_COMPARE_INTERVALS(GreaterThanEqual, NoneGreater(b, a), AllLess(a, b))
+#undef ETALON_COMPARE_INTERVALS
+
+template <>
+inline void IsNan(IntervalMachine& m, const Step& step) {
+    Decided(m, step, [&](std::uint32_t lane, const Interval& a) {
+        return a.IsAnything() ? m.context.Decide(lane, 2) : 0;
+    });
+}
+template <>
+inline void IsInf(IntervalMachine& m, const Step& step) {
+    Decided(m, step, [&](std::uint32_t lane, const Interval& a) {
+        return a.magnitude <= interval::kLargest ? 0 : m.context.Decide(lane, 2);
+    });
+}
+
+template <>
+inline void LoadOutput(IntervalMachine& m, const Step& step) {
+    m.lanes.Each([&](std::uint32_t lane) { m.context.Lose(lane); });
+    for (std::uint32_t i = 0; i < step.size.floats; ++i) {
+        Interval* result = m.Floats(step.result.floats + i);
+        m.lanes.Each([&](std::uint32_t lane) { result[lane] = interval::Anything(); });
+    }
+}
+template <>
+inline void StoreOutput(IntervalMachine& m, const Step& step) {
+    const Columns from = m.Operand(step, 0);
+    // Of a float whose bits are stored, the float.
+    const std::uint32_t column = step.size.floats != 0 ? from.floats : step.extra;
+    EachPlace(m, step, m.context.bounds.size(), [&](std::uint32_t lane, std::uint32_t place) {
+        Bound bound;
+        if (column == kNone) {
+            bound = {Bound::Kind::kWord, 0, 0, m.Words(from.words)[lane]};
+        } else if (const Interval x = interval::Settle(m.Floats(column)[lane]); !x.IsAnything()) {
+            bound = {Bound::Kind::kNumber, static_cast<float>(x.low()), static_cast<float>(x.high),
+                     0};
+        }
+        m.context.Store(place, bound);
+    });
+}
+
+}  // namespace operation
+
+namespace glsl {
+
+using operation::IntervalMachine;
+
+template <>
+inline Interval Sign(const Interval& a) {
+    return interval::Sign(interval::Settle(a));
+}
+template <>
+inline Interval Min(const Interval& a, const Interval& b) {
+    return interval::Min(interval::Settle(a), interval::Settle(b));
+}
+template <>
+inline Interval Max(const Interval& a, const Interval& b) {
+    return interval::Max(interval::Settle(a), interval::Settle(b));
+}
+template <>
+inline Interval NumberMin(const Interval& a, const Interval& b) {
+    return Min(a, b);
+}
+template <>
+inline Interval NumberMax(const Interval& a, const Interval& b) {
+    return Max(a, b);
+}
+template <>
+inline Interval Smooth(const Interval& edge0, const Interval& edge1, const Interval& x) {
+    return interval::Smoothstep(interval::Settle(edge0), interval::Settle(edge1),
+                                interval::Settle(x));
+}
+
+template <>
+inline void Round(IntervalMachine& m, const evaluate::Step& step) {
+    m.FloatsToFloats1(step, [](const Interval& a) { return interval::Round(interval::Settle(a)); });
+}
+template <>
+inline void Fract(IntervalMachine& m, const evaluate::Step& step) {
+    m.FloatsToFloats1(step, [](const Interval& a) { return interval::Fract(interval::Settle(a)); });
+}
+template <>
+inline void Step(IntervalMachine& m, const evaluate::Step& step) {
+    m.FloatsToFloats2(step, [](const Interval& edge, const Interval& x) {
+        return interval::Step(interval::Settle(edge), interval::Settle(x));
+    });
+}
+// x times the rounded constant, which may be either neighbour.
+inline Interval Constant(double x) {
+    return interval::FromDouble(x);
+}
+template <>
+inline void Radians(IntervalMachine& m, const evaluate::Step& step) {
+    const Interval degree = Constant(std::numbers::pi / 180);
+    m.FloatsToFloats1(step, [&](const Interval& a) { return interval::Mul(a, degree); });
+}
+template <>
+inline void Degrees(IntervalMachine& m, const evaluate::Step& step) {
+    const Interval radian = Constant(180 / std::numbers::pi);
+    m.FloatsToFloats1(step, [&](const Interval& a) { return interval::Mul(a, radian); });
+}
+
+template <>
+inline void ModfStruct(IntervalMachine& m, const evaluate::Step& step) {
+    for (std::uint32_t i = 0; i < step.components; ++i) {
+        const Interval* a = m.Floats(m.Operand(step, 0).floats + i);
+        Interval* rest = m.Floats(step.result.floats + i);
+        Interval* whole = m.Floats(step.result.floats + step.components + i);
+        m.lanes.Each([&](std::uint32_t lane) {
+            const Interval x = interval::Settle(a[lane]);
+            whole[lane] = interval::Trunc(x);
+            const Interval without = interval::Settle(Ops<Interval>::Sub(x, whole[lane]));
+            const Interval open = interval::Settled(x.low() < 0 ? 1 : 0, x.high > 0 ? 1 : 0);
+            rest[lane] = whole[lane].IsPoint() || x.IsAnything() ? without : open;
+        });
+    }
+}
+// The exponent is chosen, and the significand is what has it.
+template <>
+inline void FrexpStruct(IntervalMachine& m, const evaluate::Step& step) {
+    for (std::uint32_t i = 0; i < step.components; ++i) {
+        const Interval* a = m.Floats(m.Operand(step, 0).floats + i);
+        Interval* significand = m.Floats(step.result.floats + i);
+        std::uint32_t* exponent = m.Words(step.result.words + i);
+        m.lanes.Each([&](std::uint32_t lane) {
+            const Interval x = interval::Settle(a[lane]);
+            significand[lane] = interval::Anything();
+            exponent[lane] = 0;
+            if (x.magnitude == 0) {
+                significand[lane] = x;
+                return;
+            }
+            int first = 0;
+            int last = 0;
+            const double low = std::frexp(x.low(), &first);
+            const double high = std::frexp(x.high, &last);
+            if (x.IsAnything() || (x.low() <= 0 && x.high >= 0) || first != last) {
+                m.context.Lose(lane);
+                return;
+            }
+            significand[lane] = interval::Settled(-low, high);
+            exponent[lane] = static_cast<std::uint32_t>(first);
+        });
+    }
+}
+
+template <>
+inline void Normalize(IntervalMachine& m, const evaluate::Step& step) {
+    using O = Ops<Interval>;
+    EachLane(m, step, step.components,
+             [&](const Lane<Interval>& a, const Lane<Interval>&, const Lane<Interval>&) {
+                 Interval square = interval::Square(a[0]);
+                 for (std::uint32_t i = 1; i < step.components; ++i) {
+                     square = O::Add(square, interval::Square(a[i]));
+                 }
+                 const Interval inverse = O::InverseSqrt(square);
+                 Lane<Interval> result{};
+                 for (std::uint32_t i = 0; i < step.components; ++i) {
+                     result[i] = O::Mul(a[i], inverse);
+                 }
+                 return result;
+             });
+}
+template <>
+inline Interval LengthOf(const Lane<Interval>& a, std::uint32_t count) {
+    Interval square = interval::Square(a[0]);
+    for (std::uint32_t i = 1; i < count; ++i) {
+        square = interval::Add(square, interval::Square(a[i]));
+    }
+    const Interval root = Ops<Interval>::Sqrt(square);
+    return count == 1 ? interval::Hull(root, Ops<Interval>::Abs(a[0])) : root;
+}
+template <>
+inline void FaceForward(IntervalMachine& m, const evaluate::Step& step) {
+    EachLane(m, step, step.components,
+             [&](const Lane<Interval>& n, const Lane<Interval>& i, const Lane<Interval>& to) {
+                 const Interval cosine = interval::Settle(DotOf(to, i, step.components));
+                 Lane<Interval> result{};
+                 for (std::uint32_t k = 0; k < step.components; ++k) {
+                     const Interval turned = interval::Neg(n[k]);
+                     if (cosine.IsAnything()) {
+                         result[k] = interval::Anything();
+                     } else if (cosine.high < 0) {
+                         result[k] = n[k];
+                     } else if (cosine.low() >= 0) {
+                         result[k] = turned;
+                     } else {
+                         result[k] =
+                             interval::Hull(interval::Settle(n[k]), interval::Settle(turned));
+                     }
+                 }
+                 return result;
+             });
+}
+// Nothing is said of the precision of these.
+template <>
+inline void Determinant(IntervalMachine& m, const evaluate::Step& step) {
+    m.lanes.Each(
+        [&](std::uint32_t lane) { m.Floats(step.result.floats)[lane] = interval::Anything(); });
+}
+template <>
+inline void MatrixInverse(IntervalMachine& m, const evaluate::Step& step) {
+    for (std::uint32_t i = 0; i < step.size.floats; ++i) {
+        Interval* result = m.Floats(step.result.floats + i);
+        m.lanes.Each([&](std::uint32_t lane) { result[lane] = interval::Anything(); });
+    }
+}
+template <>
+inline void Refract(IntervalMachine& m, const evaluate::Step& step) {
+    using O = Ops<Interval>;
+    EachLane(m, step, step.components,
+             [&](const Lane<Interval>& i, const Lane<Interval>& n, const Lane<Interval>& ratio) {
+                 const Interval eta = ratio[0];
+                 const Interval cosine = DotOf(n, i, step.components);
+                 const Interval one = One<Interval>();
+                 const Interval k = interval::Settle(O::Sub(
+                     one, O::Mul(interval::Square(eta), O::Sub(one, interval::Square(cosine)))));
+                 Lane<Interval> result;
+                 result.fill(Zero<Interval>());
+                 if (k.IsAnything()) {
+                     result.fill(interval::Anything());
+                     return result;
+                 }
+                 if (k.high < 0) {
+                     return result;
+                 }
+                 const Interval root =
+                     interval::Sqrt(interval::Settled(std::min(0.0, k.minus_low), k.high));
+                 const Interval along = O::Add(O::Mul(eta, cosine), root);
+                 for (std::uint32_t c = 0; c < step.components; ++c) {
+                     const Interval bent = O::Sub(O::Mul(eta, i[c]), O::Mul(along, n[c]));
+                     result[c] =
+                         k.low() < 0 ? interval::Hull(interval::Settle(bent), result[c]) : bent;
+                 }
+                 return result;
+             });
+}
+
+// round(clamp(x) scale), a product that may be rounded either way.
+template <std::uint32_t Parts, bool IsSigned>
+void PackIntervals(IntervalMachine& m, const evaluate::Step& step) {
+    constexpr std::uint32_t kBits = 32 / Parts;
+    const Interval scale = Ops<Interval>::FromInt((1 << (kBits - (IsSigned ? 1 : 0))) - 1);
+    const Interval low = IsSigned ? interval::Neg(One<Interval>()) : Zero<Interval>();
+    std::uint32_t* result = m.Words(step.result.words);
+    m.lanes.Each([&](std::uint32_t lane) {
+        std::uint32_t word = 0;
+        for (std::uint32_t i = 0; i < Parts; ++i) {
+            const Interval x = m.Floats(m.Operand(step, 0).floats + i)[lane];
+            const Interval scaled =
+                interval::Settle(interval::Mul(Min(Max(x, low), One<Interval>()), scale));
+            const Interval part = interval::Round(scaled);
+            const auto chosen =
+                static_cast<std::uint32_t>(m.context.DecideInteger(lane, part.low(), part.high));
+            word |= (chosen & ((1u << kBits) - 1)) << (i * kBits);
+        }
+        result[lane] = word;
+    });
+}
+#define ETALON_PACK_INTERVALS(name, parts, is_signed)                  \
+    template <>                                                        \
+    inline void name(IntervalMachine& m, const evaluate::Step& step) { \
+        PackIntervals<parts, is_signed>(m, step);                      \
+    }
+ETALON_PACK_INTERVALS(PackSnorm4x8, 4, true)
+ETALON_PACK_INTERVALS(PackUnorm4x8, 4, false)
+ETALON_PACK_INTERVALS(PackSnorm2x16, 2, true)
+ETALON_PACK_INTERVALS(PackUnorm2x16, 2, false)
+#undef ETALON_PACK_INTERVALS
+
+// Either neighbour; of what is beyond the largest half or below the least, whatever there is.
+template <>
+inline void PackHalf2x16(IntervalMachine& m, const evaluate::Step& step) {
+    std::uint32_t* result = m.Words(step.result.words);
+    m.lanes.Each([&](std::uint32_t lane) {
+        std::uint32_t word = 0;
+        for (std::uint32_t i = 0; i < 2; ++i) {
+            const Interval x = interval::Settle(m.Floats(m.Operand(step, 0).floats + i)[lane]);
+            const double least = std::max({x.low(), -x.high, 0.0});
+            if (!(x.magnitude < 65504) || (least < 0x1p-14 && x.magnitude != 0)) {
+                m.context.Lose(lane);
+                continue;
+            }
+            // The halves at and around the ends, by truncation of the significand.
+            const auto half = [](double end) {
+                return HalfBits(std::bit_cast<std::uint32_t>(static_cast<float>(end)) & ~0x1fffu);
+            };
+            const bool is_negative = x.high < 0;
+            const double inner = is_negative ? -x.high : x.low();
+            const double outer = is_negative ? -x.low() : x.high;
+            const std::uint32_t first = half(inner);
+            const std::uint32_t last =
+                half(outer) +
+                (static_cast<double>(std::bit_cast<float>(FloatBits(half(outer)))) < outer);
+            const std::uint32_t chosen = first + m.context.Decide(lane, last - first + 1);
+            word |= (chosen | (is_negative ? 0x8000u : 0u)) << (16 * i);
+        }
+        result[lane] = word;
+    });
+}
+
+}  // namespace glsl
+}  // namespace etalon::evaluate
