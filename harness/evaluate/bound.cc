@@ -1,6 +1,7 @@
 #include "evaluate/bound.h"
 
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -53,6 +54,7 @@ void Context<Interval>::Store(std::size_t place, const Bound& bound) {
     if (is_number) {
         hull.low = std::min(hull.low, bound.low);
         hull.high = std::max(hull.high, bound.high);
+        hull.quantum = std::min(hull.quantum, bound.quantum);
     } else if (!is_word || hull.word != bound.word) {
         hull = {};
     }
@@ -88,7 +90,8 @@ bool Bound::Holds(std::uint32_t bits) const {
     switch (kind) {
         case Kind::kNumber: {
             const auto value = std::bit_cast<float>(bits);
-            return low <= value && value <= high;
+            return low <= value && value <= high &&
+                   (quantum == 0 || std::isinf(value) || std::fmod(value, quantum) == 0);
         }
         case Kind::kWord:
             return bits == word;

@@ -29,6 +29,10 @@ struct Bound {
     float low = 0;
     float high = 0;
     std::uint32_t word = 0;
+    // A number is a multiple of this power of two; 0 where nothing is known. It is what shows that
+    // operations were fused which may not be: their result lies between what each may return, but
+    // has digits that those have not.
+    float quantum = 0;
 
     // Zeros of both signs are one value.
     bool Holds(std::uint32_t word) const;

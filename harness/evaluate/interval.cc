@@ -49,7 +49,13 @@ Interval Scaled(const Interval& x, const Interval& by) {
     result.quantum *= factor;
     result.peak *= std::max(1.0, factor);
     result.is_scaled = true;
-    return result;
+    return x.magnitude == 0 ? Unsigned(result) : result;
+}
+
+// Rounding leaves multiples of a power of two what they are.
+Interval OnGrid(Interval settled, double quantum) {
+    settled.quantum = std::max(settled.quantum, quantum);
+    return settled;
 }
 
 // What the roundings of the products in x may add up to in whatever order they are made.
@@ -87,14 +93,14 @@ Interval SettleExpression(const Interval& x) {
     const float roundings = x.sums + x.factors;
     // The scaling of a subnormal intermediate scales its rounding.
     if (roundings == 1 && !(x.is_scaled && x.quantum < kLeastNormal)) {
-        return Settled(FloatAbove(x.minus_low), FloatAbove(x.high));
+        return OnGrid(Settled(FloatAbove(x.minus_low), FloatAbove(x.high)), x.quantum);
     }
     if (!(x.peak <= kLargest) || roundings > kMostRoundings) {
         return Anything();
     }
     // Every part of the sum is a float, in every order.
     if (x.quantum >= kLeastNormal && x.quantum * 0x1p24 >= x.magnitude) {
-        return Settled(x.minus_low, x.high);
+        return OnGrid(Settled(x.minus_low, x.high), x.quantum);
     }
     double error = x.error;
     if (x.sums > 0) {
@@ -110,8 +116,9 @@ Interval SettleExpression(const Interval& x) {
     const double minus_low = x.sign == 1 ? std::min(x.minus_low + error, 0.0) : x.minus_low + error;
     const double high = x.sign == -1 ? std::min(x.high + error, 0.0) : x.high + error;
     // What comes out is a float: the ends may go inwards to the next ones.
-    return Settled(minus_low > kLargest ? Interval::kInfinity : FloatBelow(minus_low),
-                   high > kLargest ? Interval::kInfinity : FloatBelow(high));
+    return OnGrid(Settled(minus_low > kLargest ? Interval::kInfinity : FloatBelow(minus_low),
+                          high > kLargest ? Interval::kInfinity : FloatBelow(high)),
+                  x.quantum);
 }
 
 Interval Mul(const Interval& a, const Interval& b) {
@@ -150,7 +157,7 @@ Interval Div(const Interval& a, const Interval& by) {
     Interval x = a;
     x.peak = a.peak * std::max(1.0, 1 / least);
     if (a.magnitude == 0) {
-        return x;
+        return Unsigned(x);
     }
     const double low_a = a.low();
     const double low_b = b.low();
@@ -174,7 +181,15 @@ Interval Div(const Interval& a, const Interval& by) {
 
 Interval FromBits(std::uint32_t bits) {
     const double x = static_cast<double>(std::bit_cast<float>(bits));
-    return x - x == 0 ? Settled(-x, x) : Anything();
+    if (x - x != 0) {
+        return Anything();
+    }
+    Interval point = Settled(-x, x);
+    if (x == 0) {
+        point.minus_low = -x;
+        point.high = x;
+    }
+    return point;
 }
 
 Interval FromDouble(double x) {

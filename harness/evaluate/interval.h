@@ -38,6 +38,7 @@ struct Interval {
     std::int16_t sign = 1;          // 1: no term is negative, -1: none is positive, 0: neither
     bool is_scaled = false;         // by powers of two, without rounding, and not counted
 
+    // A zero whose sign is not known goes from -0 to +0.
     double low() const { return -minus_low; }
     // Not an expression any more, but the floats in [low, high].
     bool IsSettled() const { return sums == 0 && factors == 0; }
@@ -92,8 +93,8 @@ inline Interval Settled(double minus_low, double high) {
         return Anything();
     }
     Interval x;
-    x.minus_low = minus_low < 0 && minus_low > -kLeastNormal ? 0 : minus_low;
-    x.high = high < 0 && high > -kLeastNormal ? 0 : high;
+    x.minus_low = minus_low <= 0 && minus_low > -kLeastNormal ? 0 : minus_low;
+    x.high = high <= 0 && high > -kLeastNormal ? 0 : high;
     x.magnitude = std::max(x.minus_low, x.high);
     x.peak = std::max(1.0, x.magnitude);
     x.sign = x.minus_low <= 0 ? 1 : x.high <= 0 ? -1 : 0;
@@ -112,11 +113,17 @@ inline Interval Settle(const Interval& x) {
     return x.IsSettled() ? x : SettleExpression(x);
 }
 
+// No operation need keep the sign of a zero.
+inline Interval Unsigned(Interval zero) {
+    zero.minus_low = zero.high = 0;
+    return zero;
+}
+
 inline Interval Neg(const Interval& x) {
     Interval result = x;
     std::swap(result.minus_low, result.high);
     result.sign = static_cast<std::int16_t>(-x.sign);
-    return result;
+    return x.magnitude == 0 ? Unsigned(result) : result;
 }
 
 // True for a settled power of two: taken out of a sum it changes no rounding.
@@ -129,7 +136,7 @@ inline Interval Add(const Interval& a, const Interval& b) {
     if (a.magnitude == 0 || b.magnitude == 0) {
         Interval x = a.magnitude == 0 ? b : a;
         x.peak = std::max(a.peak, b.peak);
-        return x;
+        return x.magnitude == 0 ? Unsigned(x) : x;
     }
     Interval x;
     x.minus_low = a.minus_low + b.minus_low;

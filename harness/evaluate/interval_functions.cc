@@ -372,22 +372,32 @@ Interval Atanh(const Interval& x) {
     return Inherited(Monotonic(x, std::atanh), formula);
 }
 
+namespace {
+
+Interval WholeNumbers(double low, double high) {
+    Interval x = Settled(-low, high);
+    x.quantum = std::max(x.quantum, 1.0);
+    return x;
+}
+
+}  // namespace
+
 Interval Floor(const Interval& x) {
-    return Settled(-std::floor(x.low()), std::floor(x.high));
+    return WholeNumbers(std::floor(x.low()), std::floor(x.high));
 }
 Interval Ceil(const Interval& x) {
-    return Settled(-std::ceil(x.low()), std::ceil(x.high));
+    return WholeNumbers(std::ceil(x.low()), std::ceil(x.high));
 }
 Interval Trunc(const Interval& x) {
-    return Settled(-std::trunc(x.low()), std::trunc(x.high));
+    return WholeNumbers(std::trunc(x.low()), std::trunc(x.high));
 }
 Interval Round(const Interval& x) {
     const Nearest nearest;
-    return Settled(-std::ceil(x.low() - 0.5), std::floor(x.high + 0.5));
+    return WholeNumbers(std::ceil(x.low() - 0.5), std::floor(x.high + 0.5));
 }
 Interval RoundEven(const Interval& x) {
     const Nearest nearest;
-    return Settled(-std::nearbyint(x.low()), std::nearbyint(x.high));
+    return WholeNumbers(std::nearbyint(x.low()), std::nearbyint(x.high));
 }
 Interval Fract(const Interval& x) {
     const double whole = std::floor(x.low());

@@ -25,11 +25,20 @@ inline void AddProduct(IntervalMachine& m, std::uint32_t a, std::uint32_t b, std
     const Interval* left = m.Floats(a);
     const Interval* right = m.Floats(b);
     Interval* sum = m.Floats(result);
-    m.lanes.Each([&](std::uint32_t lane) {
-        const Interval product =
-            a == b ? interval::Square(left[lane]) : interval::Mul(left[lane], right[lane]);
-        sum[lane] = is_first ? product : interval::Add(sum[lane], product);
-    });
+    if (is_first && a == b) {
+        m.lanes.Each([&](std::uint32_t lane) {
+            std::construct_at(&sum[lane], interval::Square(left[lane]));
+        });
+    } else if (is_first) {
+        m.lanes.Each([&](std::uint32_t lane) {
+            std::construct_at(&sum[lane], interval::Mul(left[lane], right[lane]));
+        });
+    } else {
+        m.lanes.Each([&](std::uint32_t lane) {
+            sum[lane] = interval::Add(sum[lane], a == b ? interval::Square(left[lane])
+                                                        : interval::Mul(left[lane], right[lane]));
+        });
+    }
 }
 template <>
 inline void FMul(IntervalMachine& m, const Step& step) {
@@ -74,16 +83,15 @@ inline void ConvertFToS(IntervalMachine& m, const Step& step) {
     });
 }
 
-// Which of the floats it is, and of a zero which sign.
+// Which of the floats it is, and of a zero whose sign is not known, which sign.
 inline std::uint32_t DecideBits(IntervalMachine& m, std::uint32_t lane, const Interval& a) {
     const auto ordered = [](double x) {
         const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(x));
         const auto magnitude = static_cast<std::int64_t>(bits & 0x7fffffffu);
         return bits >> 31 != 0 ? -magnitude - 1 : magnitude;
     };
-    // Both zeros where one is in it.
-    const std::int64_t first = ordered(a.low() == 0 ? -0.0 : a.low());
-    const std::int64_t last = ordered(a.high == 0 ? 0.0 : a.high);
+    const std::int64_t first = ordered(a.low());
+    const std::int64_t last = ordered(a.high);
     const std::uint64_t count =
         a.IsAnything() ? ~std::uint64_t{0} : static_cast<std::uint64_t>(last - first) + 1;
     const std::int64_t chosen = first + m.context.Decide(lane, count);
@@ -195,10 +203,14 @@ inline void StoreOutput(IntervalMachine& m, const Step& step) {
     EachPlace(m, step, m.context.bounds.size(), [&](std::uint32_t lane, std::uint32_t place) {
         Bound bound;
         if (column == kNone) {
-            bound = {Bound::Kind::kWord, 0, 0, m.Words(from.words)[lane]};
+            bound.kind = Bound::Kind::kWord;
+            bound.word = m.Words(from.words)[lane];
         } else if (const Interval x = interval::Settle(m.Floats(column)[lane]); !x.IsAnything()) {
-            bound = {Bound::Kind::kNumber, static_cast<float>(x.low()), static_cast<float>(x.high),
-                     0};
+            bound.kind = Bound::Kind::kNumber;
+            bound.low = static_cast<float>(x.low());
+            bound.high = static_cast<float>(x.high);
+            // Rounded upwards: what is below all floats becomes the least of them.
+            bound.quantum = static_cast<float>(std::min(x.quantum, 0x1p100));
         }
         m.context.Store(place, bound);
     });

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -168,12 +169,13 @@ struct Machine {
     }
 
     // What most operations are: a function of numbers or words, lane by lane, for each component.
+    // No result shares a column with an operand, so that large numbers are made where they stay.
     template <typename F>
     void FloatsToFloats1(const Step& step, F f) {
         for (std::uint32_t i = 0; i < step.components; ++i) {
             const Number* a = Floats(Operand(step, 0).floats + i);
             Number* result = Floats(step.result.floats + i);
-            lanes.Each([&](std::uint32_t lane) { result[lane] = f(a[lane]); });
+            lanes.Each([&](std::uint32_t lane) { std::construct_at(&result[lane], f(a[lane])); });
         }
     }
     template <typename F>
@@ -182,7 +184,8 @@ struct Machine {
             const Number* a = Floats(Operand(step, 0).floats + i);
             const Number* b = Floats(Operand(step, 1).floats + i);
             Number* result = Floats(step.result.floats + i);
-            lanes.Each([&](std::uint32_t lane) { result[lane] = f(a[lane], b[lane]); });
+            lanes.Each(
+                [&](std::uint32_t lane) { std::construct_at(&result[lane], f(a[lane], b[lane])); });
         }
     }
     template <typename F>
@@ -192,7 +195,9 @@ struct Machine {
             const Number* b = Floats(Operand(step, 1).floats + i);
             const Number* c = Floats(Operand(step, 2).floats + i);
             Number* result = Floats(step.result.floats + i);
-            lanes.Each([&](std::uint32_t lane) { result[lane] = f(a[lane], b[lane], c[lane]); });
+            lanes.Each([&](std::uint32_t lane) {
+                std::construct_at(&result[lane], f(a[lane], b[lane], c[lane]));
+            });
         }
     }
     template <typename F>

@@ -3,6 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 #include "benchmark/fresnel_host.h"
 #include "compile/compile.h"
 #include "evaluate/big.h"
+#include "evaluate/bound.h"
 #include "evaluate/evaluate.h"
 #include "spirv/read.h"
 
@@ -93,6 +95,22 @@ void Evaluate(benchmark::State& state, const std::string& recipe) {
     }
     state.SetItemsProcessed(state.iterations() * kRows);
 }
+void Bounds(benchmark::State& state, const std::string& recipe) {
+    const Inputs& inputs = SomeInputs();
+    const auto plan = PlanOf(recipe);
+    const evaluate::Profile& profile = *evaluate::FindProfile("vulkan-1.3");
+    std::size_t unbounded = 0;
+    for (auto _ : state) {
+        const auto bounds = evaluate::BoundOutputs(plan, {}, profile, kRows, inputs.words, 1);
+        unbounded = static_cast<std::size_t>(
+            std::count_if(bounds.begin(), bounds.end(), [](const evaluate::Bound& bound) {
+                return bound.kind == evaluate::Bound::Kind::kUnbounded;
+            }));
+    }
+    state.SetItemsProcessed(state.iterations() * kRows);
+    state.counters["unbounded"] = static_cast<double>(unbounded);
+}
+
 constexpr auto& kBinary32 = Evaluate<float>;
 constexpr auto& kBinary64 = Evaluate<double>;
 constexpr auto& kBig = Evaluate<evaluate::Big>;
@@ -100,6 +118,8 @@ BENCHMARK_CAPTURE(kBinary32, plain, "spirv")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(kBinary32, optimised, "spirv+O")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(kBinary64, plain, "spirv")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(kBinary64, optimised, "spirv+O")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Bounds, plain, "spirv")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Bounds, optimised, "spirv+O")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(kBig, plain, "spirv")->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -61,7 +61,131 @@ float Next(float x, int steps) {
 TEST(Bound, OfOneRoundedOperationAreTheNeighbours) {
     EXPECT_BOUND(BoundAt("a + b", {1.0f, 0x1p-30f}), 1.0f, Next(1.0f, 1));
     EXPECT_BOUND(BoundAt("a - b", {1.0f, 0x1p-30f}), Next(1.0f, -1), 1.0f);
-    EXPECT_BOUND(BoundAt("a * b", {1.1f, 1.3f}), 1.43f - 0x1p-23f * 0, 1.43f);
+    EXPECT_BOUND(BoundAt("a * b", {1.1f, 1.3f}), 1.43f, Next(1.43f, 1));
+}
+
+TEST(Bound, OfWhatNeedsNoRoundingIsOneValue) {
+    EXPECT_BOUND(BoundAt("2.0 * a + 0.5 * b", {1.0f, 3.0f}), 3.5f, 3.5f);
+    EXPECT_BOUND(BoundAt("a + b - a", {8.0f, 0.125f}), 0.125f, 0.125f);
+    EXPECT_BOUND(BoundAt("sum(a)", {1.0f},
+                         "float sum(float x) { float s = 0.0;"
+                         " for (float t = 0.0; t < 1.0; t += 0.0625) s += t * x; return s; }"),
+                 7.5f, 7.5f);
+}
+
+TEST(Bound, OfSumsHoldsEveryOrder) {
+    // In the order of the source 1e10 + 1 - 1e10 is 0 or 1024; rearranged it is 1.
+    const Bound any_order = BoundAt("a + b - a", {1e10f, 1.0f});
+    EXPECT_TRUE(any_order.Holds(std::bit_cast<std::uint32_t>(1.0f)));
+    EXPECT_TRUE(any_order.Holds(std::bit_cast<std::uint32_t>(1024.0f)));
+    EXPECT_TRUE(any_order.Holds(0));
+    EXPECT_FALSE(any_order.Holds(std::bit_cast<std::uint32_t>(8192.0f)));
+    EXPECT_BOUND(BoundAt("a + b - a", {1e10f, 1.0f}, "", "spirv+precise"), 0.0f, 1024.0f);
+    // A factor taken out of x + x y is rounded where x is.
+    const float x = 1.9f;
+    const float y = 0x1.8p-22f;
+    const Bound factored = BoundAt("a + a * b", {x, y});
+    EXPECT_TRUE(factored.Holds(std::bit_cast<std::uint32_t>(x * (1.0f + y))));
+    EXPECT_TRUE(factored.Holds(std::bit_cast<std::uint32_t>(x + x * y)));
+}
+
+TEST(Bound, UnderNoContractionIsNotFused) {
+    const float a = 1.1f;
+    const float b = 1.2f;
+    const float fused = std::fma(a, b, -1.32f);
+    const Bound precise = BoundAt("a * b + c", {a, b, -1.32f}, "", "spirv+precise");
+    EXPECT_FALSE(precise.Holds(std::bit_cast<std::uint32_t>(fused)));
+    EXPECT_TRUE(precise.Holds(std::bit_cast<std::uint32_t>(a * b + -1.32f)));
+    EXPECT_TRUE(BoundAt("a * b + c", {a, b, -1.32f}).Holds(std::bit_cast<std::uint32_t>(fused)));
+}
+
+TEST(Bound, OfFunctionsIsWhatTheProfileStates) {
+    EXPECT_BOUND(BoundAt("a / b", {1.5f, 1.0f}), Next(1.5f, -2), Next(1.5f, 2));
+    EXPECT_BOUND(BoundAt("inversesqrt(a)", {0.25f}), Next(2.0f, -4), Next(2.0f, 2));
+    EXPECT_BOUND(BoundAt("exp2(a)", {1.0f}), 2.0f - 5 * 0x1p-22f, 2.0f + 5 * 0x1p-22f);
+    EXPECT_BOUND(BoundAt("sqrt(a)", {0.0f}), 0.0f, 0.0f);
+    // An absolute error within [0.5, 2], three ulp outside.
+    EXPECT_BOUND(BoundAt("log2(a)", {1.0f}), -0x1p-21f, 0x1p-21f);
+    EXPECT_BOUND(BoundAt("log2(a)", {8.0f}), Next(3.0f, -3), Next(3.0f, 3));
+    EXPECT_BOUND(BoundAt("round(a)", {2.5f}), 2.0f, 3.0f);
+    EXPECT_BOUND(BoundAt("roundEven(a)", {2.5f}), 2.0f, 2.0f);
+    EXPECT_BOUND(BoundAt("mod(a, b)", {7.5f, 2.0f}), 1.5f, 1.5f);
+    // The quotient may be below 1, and the error counts to both sides.
+    EXPECT_BOUND(BoundAt("mod(a, b)", {1.0f, 1.0f}), -1.0f, 1.0f);
+    EXPECT_BOUND(BoundAt("cos(a)", {0.0f}), 1.0f - 0x1p-11f, 1.0f + 0x1p-11f);
+    EXPECT_BOUND(BoundAt("max(a * b, c)", {1.1f, 1.2f, 2.0f}), 2.0f, 2.0f);
+}
+
+TEST(Bound, IsSilentWhereTheSpecificationIs) {
+    const auto kind = [](const std::string& expression, float a,
+                         const std::string& profile = "vulkan-1.3") {
+        return BoundAt(expression, {a}, "", "spirv", profile).kind;
+    };
+    EXPECT_EQ(kind("sin(a)", 4.0f), Bound::Kind::kUnbounded);
+    EXPECT_EQ(kind("sin(a)", 1.0f), Bound::Kind::kNumber);
+    EXPECT_EQ(kind("sin(a)", 1.0f, "glsl-4.60"), Bound::Kind::kUnbounded);
+    EXPECT_EQ(kind("exp(a)", 1.0f, "glsl-4.60"), Bound::Kind::kNumber);
+    EXPECT_EQ(kind("1.0 / a", 0.0f), Bound::Kind::kUnbounded);
+    EXPECT_EQ(kind("1.0 / a", 0x1.8p126f), Bound::Kind::kUnbounded);
+    EXPECT_EQ(kind("sqrt(a)", -1.0f), Bound::Kind::kUnbounded);
+    EXPECT_EQ(kind("log(a)", 0.0f), Bound::Kind::kUnbounded);
+    EXPECT_EQ(kind("a + 1.0", NAN), Bound::Kind::kUnbounded);
+    EXPECT_EQ(kind("min(a, 1.0)", INFINITY), Bound::Kind::kUnbounded);
+    EXPECT_EQ(kind("determinant(mat2(a, 1.0, 2.0, a))", 1.0f), Bound::Kind::kUnbounded);
+}
+
+TEST(Bound, OfAnOverflowHoldsTheLargestFloatAndTheInfinity) {
+    const Bound bound = BoundAt("a * a", {1e30f});
+    EXPECT_BOUND(bound, std::numeric_limits<float>::max(), INFINITY);
+    EXPECT_FALSE(bound.Holds(std::bit_cast<std::uint32_t>(-INFINITY)));
+    EXPECT_FALSE(bound.Holds(std::bit_cast<std::uint32_t>(NAN)));
+    // One of its parts may overflow: what is then made of the infinity is open.
+    EXPECT_EQ(BoundAt("a * a * b", {1e30f, 1e-30f}).kind, Bound::Kind::kUnbounded);
+}
+
+TEST(Bound, OfSubnormalNumbersHoldsZero) {
+    EXPECT_BOUND(BoundAt("a * 1.0", {0x1p-130f}), 0.0f, 0x1p-130f);
+    EXPECT_BOUND(BoundAt("a * b", {0x1p-100f, 0x1p-30f}), 0.0f, 0x1p-130f);
+    EXPECT_BOUND(BoundAt("a * b", {0x1p-100f, 0x1p-10f}), 0x1p-110f, 0x1p-110f);
+}
+
+TEST(Bound, TakesBothWaysOfAnUndecidedBranch) {
+    EXPECT_BOUND(BoundAt("a < b ? 1.0 : 2.0", {1.0f, 2.0f}), 1.0f, 1.0f);
+    // 1.1f * 1.3f lies between two floats.
+    EXPECT_BOUND(BoundAt("a * b > c ? 1.0 : 2.0", {1.1f, 1.3f, 1.43f}), 1.0f, 2.0f);
+    EXPECT_BOUND(BoundAt("float(int(a * b))", {1.1f, 10.0f}), 11.0f, 11.0f);
+    EXPECT_BOUND(BoundAt("float(int(a * b))", {0.7f, 10.0f}), 6.0f, 7.0f);
+    // A bool that may be either is not bounded; one that may not is a word.
+    EXPECT_EQ(BoundAt("a * b > c", {1.1f, 1.3f, 1.43f}).kind, Bound::Kind::kUnbounded);
+    const Bound decided = BoundAt("a > b", {2.0f, 1.0f});
+    EXPECT_EQ(decided.kind, Bound::Kind::kWord);
+    EXPECT_TRUE(decided.Holds(1));
+    EXPECT_FALSE(decided.Holds(0));
+}
+
+TEST(Bound, GivesUpOnALoopThatStaysUndecided) {
+    const std::string halved =
+        "float halved(float x) { while (x * 0.3 > 0.0) x = x * 0.3; return x; }";
+    const Probed probed(halved, "halved(a)", {"float a"});
+    const auto bounds = BoundsOf(probed, {{1.0f, -1.0f}});
+    EXPECT_EQ(bounds[0].kind, Bound::Kind::kUnbounded);
+    // The other row is its own.
+    EXPECT_BOUND(bounds[1], -1.0f, -1.0f);
+}
+
+TEST(Bound, OfBitsFollowsEachFloat) {
+    EXPECT_BOUND(BoundAt("intBitsToFloat(floatBitsToInt(a * b))", {1.1f, 1.3f}), 1.43f,
+                 Next(1.43f, 1));
+    EXPECT_BOUND(BoundAt("unpackHalf2x16(packHalf2x16(vec2(a, b))).x", {1.1f, 2.0f}), 0x1.198p+0f,
+                 0x1.19cp+0f);
+}
+
+TEST(Profile, IsFoundByItsName) {
+    ASSERT_NE(evaluate::FindProfile("vulkan-1.3"), nullptr);
+    EXPECT_EQ(evaluate::FindProfile("vulkan-9"), nullptr);
+    for (const std::string_view name : evaluate::ProfileNames()) {
+        EXPECT_EQ(evaluate::FindProfile(name)->name, name);
+    }
 }
 
 }  // namespace

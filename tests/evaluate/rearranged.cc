@@ -167,9 +167,34 @@ float Implementation::Value(std::size_t at) {
             return found != opaque_.end() ? found->second : opaque_[key] = Opaque(node);
         }
         default: {
+            if (!may_rearrange_) {
+                return InOrder(node);
+            }
             std::vector<Term> terms;
             CollectTerms(at, false, terms);
             return SumOf(std::move(terms));
+        }
+    }
+}
+
+float Implementation::InOrder(const Expression::Node& node) {
+    using Kind = Expression::Kind;
+    const float x = Value(node.x);
+    if (node.kind == Kind::kNegative) {
+        return -x;
+    }
+    const float y = Value(node.y);
+    switch (node.kind) {
+        case Kind::kSum:
+            return Rounded([&] { return x + y; });
+        case Kind::kDifference:
+            return Rounded([&] { return x - y; });
+        case Kind::kProduct:
+            return Rounded([&] { return x * y; });
+        default: {
+            const double quotient = static_cast<double>(x) / static_cast<double>(y);
+            return std::isfinite(quotient) && quotient != 0 ? Within(quotient, 2.5 * Ulp(quotient))
+                                                            : static_cast<float>(quotient);
         }
     }
 }

@@ -56,14 +56,18 @@ class Expression {
     std::size_t root_ = 0;
 };
 
-// Evaluates as a conforming implementation may: sums and products in any order, contracted,
-// distributed and factored out at random, every operation rounded either way or wrong by what
-// Vulkan allows, subnormal numbers flushed at random.
+// Evaluates as a conforming implementation may: every operation rounded either way or wrong by what
+// Vulkan allows, subnormal numbers flushed at random; and where it may rearrange, sums and products
+// in any order, contracted, distributed and factored out at random.
 class Implementation {
   public:
     Implementation(std::mt19937& random, const Expression& expression,
-                   const std::vector<float>& inputs)
-        : random_(random), expression_(expression), inputs_(inputs), finds_common_(Chance(0.5)) {}
+                   const std::vector<float>& inputs, bool may_rearrange)
+        : random_(random),
+          expression_(expression),
+          inputs_(inputs),
+          may_rearrange_(may_rearrange),
+          finds_common_(Chance(0.5)) {}
 
     float Run() { return Value(expression_.root()); }
 
@@ -86,6 +90,7 @@ class Implementation {
     float Rounded(F f);
 
     float Value(std::size_t node);
+    float InOrder(const Expression::Node& node);
     // Of a function: the same each time that it is used.
     float Opaque(const Expression::Node& node);
     // The same for each of the terms over it.
@@ -100,6 +105,7 @@ class Implementation {
     std::mt19937& random_;
     const Expression& expression_;
     const std::vector<float>& inputs_;
+    const bool may_rearrange_;
     const bool finds_common_;  // expressions that are written several times
     std::map<std::size_t, float> opaque_;
 };
