@@ -65,9 +65,9 @@ struct Parts {
 // number among M, R and D.
 //   - A NaN is infinitely far from a number and at no distance from a NaN; so is an infinity from
 //     numbers and from itself. But an infinity stands for all that is beyond the largest float, and
-//     what the largest float itself lacks to that is the distance to 2^128.
-//   - With `flush` a zero and any result below 2^-126 are the same to the driver's part, and a zero
-//     R and such an M to the rounding's: a device may take subnormal numbers as zero.
+//     lies at 2^128 for the largest float itself.
+//   - With `flush` the driver has no part in a zero where R or M is below 2^-126: a device may take
+//     subnormal results as zero.
 //   - What is no float is right or wrong: its parts are 0 or infinite in ulp.
 Parts PartsOf(Scalar scalar, const Readings& readings, bool flush);
 
@@ -86,18 +86,19 @@ std::string_view CulpritName(Culprit culprit);
 // rounding, driver) names it. `excess` is Excess of the device's result.
 Culprit CulpritOf(const Parts& parts, const Allowed& allowed, double excess);
 
-// Whose fault a broken law is: the first of M, R and D by which it does not hold. Sides are
-// numbers of the law's scalar type; by M they hold too where they do once rounded to binary32.
-struct LawReadings {
-    struct Sides {
-        double left = 0;
-        double right = 0;
-    };
-    Sides method;
-    Sides strict;
-    Sides device;
+// The two sides of a law by one reading.
+template <typename T>
+struct Sides {
+    T left{};
+    T right{};
 };
-Culprit CulpritOfLaw(const Law& law, Scalar scalar, const LawReadings& readings,
-                     const Allowed& left, const Allowed& right);
+
+// Judges a law by M: it holds, too, where it does once its sides are rounded to binary32.
+Judgement JudgeLawByMethod(const Law& law, Scalar scalar, const Sides<double>& method);
+
+// Whose fault a broken law is: the first of M, R and D by which it does not hold.
+Culprit CulpritOfLaw(const Law& law, Scalar scalar, const Sides<double>& method,
+                     const Sides<std::uint32_t>& strict, const Sides<std::uint32_t>& device,
+                     const Sides<Allowed>& allowed);
 
 }  // namespace etalon

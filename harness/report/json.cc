@@ -35,19 +35,63 @@ ordered_json DeviceJson(const DeviceInfo& device) {
             {"fingerprint", Fingerprint(device)}};
 }
 
-ordered_json ObservationJson(const Observation& observation) {
-    ordered_json inputs = ordered_json::object();
-    for (const auto& [name, value] : observation.inputs) {
-        inputs[name] = ValueJson(value);
+ordered_json InputsJson(const std::vector<std::pair<std::string, Value>>& inputs) {
+    ordered_json json = ordered_json::object();
+    for (const auto& [name, value] : inputs) {
+        json[name] = ValueJson(value);
     }
-    return {{"output", observation.output},
-            {"rule", observation.rule},
-            {"inputs", inputs},
-            {"actual", ValueJson(observation.actual)},
-            {"expected", ValueJson(observation.expected)},
-            {"error", Number(observation.error)},
-            {"ulp_error", Number(observation.ulp_error)},
-            {"used", Number(observation.used)}};
+    return json;
+}
+
+ordered_json PartJson(const PartSeen& part) {
+    return {{"ulp", Number(part.ulp)}, {"absolute", Number(part.absolute)}};
+}
+
+ordered_json BudgetJson(const Budget& budget) {
+    ordered_json json = {{"culprit", budget.culprit}, {"law", budget.is_law}};
+    json["method"] = budget.method ? PartJson(*budget.method) : ordered_json(nullptr);
+    json["rounding"] = PartJson(budget.rounding);
+    json["driver"] = PartJson(budget.driver);
+    return json;
+}
+
+ordered_json AllowedJson(const AllowedValue& allowed) {
+    if (!allowed.bounded) {
+        return "unbounded";
+    }
+    return {{"low", ValueJson(allowed.low)},
+            {"high", ValueJson(allowed.high)},
+            {"excess_ulp", Number(allowed.excess)}};
+}
+
+ordered_json ObservationJson(const Observation& observation) {
+    ordered_json json = {{"output", observation.output},
+                         {"rule", observation.rule},
+                         {"inputs", InputsJson(observation.inputs)},
+                         {"actual", ValueJson(observation.actual)},
+                         {"expected", observation.expected ? ValueJson(*observation.expected)
+                                                           : ordered_json(nullptr)},
+                         {"error", Number(observation.error)},
+                         {"ulp_error", Number(observation.ulp_error)},
+                         {"used", Number(observation.used)}};
+    if (observation.budget) {
+        json["budget"] = BudgetJson(*observation.budget);
+    }
+    if (observation.allowed) {
+        json["allowed"] = AllowedJson(*observation.allowed);
+    }
+    return json;
+}
+
+// What the record was held to, and what its errors are made of.
+ordered_json SpecificationJson(const Record& record) {
+    ordered_json json = {{"profile", record.profile},  {"unevaluated", record.unevaluated},
+                         {"held", record.held},        {"unbounded", record.unbounded},
+                         {"outside", record.outside},  {"outside_in", record.outside_in},
+                         {"unjudged", record.unjudged}};
+    json["worst_outside"] =
+        record.worst_outside ? ObservationJson(*record.worst_outside) : ordered_json(nullptr);
+    return json;
 }
 
 ordered_json ShareJson(const ShareCount& count) {
@@ -93,6 +137,17 @@ ordered_json RecordJson(const Record& record) {
         for (const ShareCount& count : record.shares) {
             json["shares"].push_back(ShareJson(count));
         }
+    }
+    json["specification"] = SpecificationJson(record);
+    json["culprits"] = ordered_json::object();
+    for (const auto& [culprit, values] : record.culprits) {
+        json["culprits"][culprit] = values;
+    }
+    json["worst_parts"] = ordered_json::object();
+    for (const WorstPart& worst : record.parts) {
+        json["worst_parts"][worst.part] = PartJson(worst.seen);
+        json["worst_parts"][worst.part]["output"] = worst.output;
+        json["worst_parts"][worst.part]["inputs"] = InputsJson(worst.inputs);
     }
     json["worst"] = record.worst ? ObservationJson(*record.worst) : ordered_json(nullptr);
     return json;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "device/device_info.h"
 #include "evaluate/profile.h"
 #include "judge/budget.h"
@@ -24,7 +25,7 @@ const evaluate::Profile& ProfileOf(const DeviceInfo& device);
 
 class Evaluation {
   public:
-    // Of a compute program in SPIR-V with inputs at run time. `inputs` must outlive it.
+    // Of a compute program in SPIR-V with inputs at run time, which all must outlive it.
     Evaluation(const Program& program, const Rows& inputs);
     // Of a program that there is not: nothing can be evaluated, and this is why.
     explicit Evaluation(std::string reason);
@@ -32,19 +33,28 @@ class Evaluation {
     Evaluation(const Evaluation&) = delete;
     Evaluation& operator=(const Evaluation&) = delete;
 
-    // R and M of all outputs at all rows, by columns: of column c at row r, [c * rows + r]. Of what
-    // is no float, M is the number that its word stands for.
+    // M as the evaluator leaves it: what is no float has its words alone.
+    struct Method {
+        std::vector<std::uint32_t> words;
+        std::vector<double> numbers;
+
+        double At(std::size_t index, Scalar scalar) const;
+    };
+    // R and M of all outputs at all rows, by columns: of column c at row r, [c * rows + r]; M by
+    // binary64.
     struct Values {
         std::vector<std::uint32_t> strict;
-        std::vector<double> method;  // by binary64
+        Method method;
     };
 
-    // Fail, in one short reason, where the program cannot be evaluated.
+    // Fail, in one short reason, where the program cannot be evaluated. The references stay valid
+    // as long as this object.
     const Result<Values>& Get();
     const Result<std::vector<Allowed>>& Bounds(const evaluate::Profile& profile);
 
-    // M of all outputs at one row, by 128 bits. Only where Get has not failed.
-    std::vector<double> MethodAt(std::uint64_t row);
+    // M by 128 bits, of an output at a row; by binary64 where the evaluation fails at that
+    // precision. Only where Get has not failed. A row is evaluated once.
+    double MethodAt(std::uint64_t row, std::size_t column, Scalar scalar);
 
   private:
     struct State;
