@@ -138,7 +138,8 @@ ordered_json RecordJson(const Record& record) {
             json["shares"].push_back(ShareJson(count));
         }
     }
-    json["specification"] = SpecificationJson(record);
+    json["specification"] =
+        record.profile.empty() ? ordered_json(nullptr) : SpecificationJson(record);
     json["culprits"] = ordered_json::object();
     for (const auto& [culprit, values] : record.culprits) {
         json["culprits"][culprit] = values;

@@ -128,8 +128,8 @@ TEST(Parts, OfANaNAreInfiniteButAgainstANaN) {
 }
 
 TEST(Parts, WithoutATruthAreInUlpOfTheMethod) {
-    const Parts parts = PartsOf(
-        Scalar::kFloat, {std::nullopt, 0, 1.5, 1.5 + 2 * kUlp, 1.5 + 3 * kUlp}, true);
+    const Parts parts =
+        PartsOf(Scalar::kFloat, {std::nullopt, 0, 1.5, 1.5 + 2 * kUlp, 1.5 + 3 * kUlp}, true);
     EXPECT_EQ(parts.method.ulp, 0);
     EXPECT_EQ(parts.rounding.ulp, 2);
     EXPECT_EQ(parts.driver.ulp, 1);
