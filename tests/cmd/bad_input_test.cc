@@ -241,6 +241,11 @@ TEST_F(BadInput, CaseThatIsWrong) {
     std::string blind = kCase;
     blind.replace(blind.find("ulp = 1"), 7, "absolute = 10");
     EXPECT_THAT(RunOf(blind), StartsWith("cases/a/c.toml:4: nothing could fail"));
+    std::string later = kCase;
+    later.replace(later.find("ulp = 1"), 7, "spec = \"vulkan-9\"");
+    EXPECT_EQ(RunOf(later),
+              "cases/a/c.toml:4: 'spec': there is no 'vulkan-9'; there are glsl-4.60, vulkan-1.3, "
+              "vulkan-1.4");
     EXPECT_THAT(RunOf(std::string("recipes = [\"fast\"]\n") + kCase),
                 StartsWith("cases/a/c.toml: unknown recipe 'fast'"));
 }
