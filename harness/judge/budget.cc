@@ -43,8 +43,11 @@ double UnitOf(const Readings& readings) {
     return Ulp(0);
 }
 
-double Middle(const Allowed& allowed) {
-    return (static_cast<double>(allowed.low) + static_cast<double>(allowed.high)) / 2;
+// The distance of a number from the nearest multiple of the quantum.
+double OffGrid(const Allowed& allowed, double value) {
+    return allowed.quantum == 0 || std::isinf(value)
+               ? 0
+               : std::fabs(std::remainder(value, static_cast<double>(allowed.quantum)));
 }
 
 Culprit DriverWhere(bool is_outside, bool is_unbounded) {
@@ -80,7 +83,7 @@ double Excess(const Allowed& allowed, std::uint32_t word) {
     }
     const auto value = std::bit_cast<float>(word);
     if (allowed.low <= value && value <= allowed.high) {
-        return 0;
+        return OffGrid(allowed, value) / Ulp(value);
     }
     if (!std::isfinite(value)) {
         return kInfinity;
@@ -99,15 +102,20 @@ Judgement JudgeAllowed(const Allowed& allowed, std::uint32_t word) {
         return judgement;
     }
     const double value = std::bit_cast<float>(word);
-    judgement.error = judgement.accepted
-                          ? 0
-                          : std::min(Distance(value, allowed.low), Distance(value, allowed.high));
-    const double half = (static_cast<double>(allowed.high) - static_cast<double>(allowed.low)) / 2;
-    if (half > 0 && std::isfinite(half) && std::isfinite(value)) {
-        const double used = std::fabs(value - Middle(allowed)) / half;
-        judgement.used = judgement.accepted ? std::min(used, 1.0) : std::max(used, 1 + 0x1p-20);
+    const double low = allowed.low;
+    const double high = allowed.high;
+    const bool is_between = low <= value && value <= high;
+    judgement.error = is_between ? OffGrid(allowed, value)
+                                 : std::min(Distance(value, low), Distance(value, high));
+    const double half = (high - low) / 2;
+    const bool is_measured = half > 0 && std::isfinite(half) && std::isfinite(value);
+    if (judgement.accepted) {
+        const double used = is_measured ? std::fabs(value - (low + high) / 2) / half : 0;
+        judgement.used = std::min(used, 1.0);
+    } else if (is_measured && !is_between) {
+        judgement.used = std::max(std::fabs(value - (low + high) / 2) / half, 1 + 0x1p-20);
     } else {
-        judgement.used = judgement.accepted ? 0 : kInfinity;
+        judgement.used = kInfinity;
     }
     return judgement;
 }

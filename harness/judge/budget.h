@@ -29,16 +29,18 @@ struct Allowed {
     float low = 0;
     float high = 0;
     std::uint32_t word = 0;
+    float quantum = 0;  // a number is a multiple of this power of two; 0 where nothing is known
 };
 
 // How far a result lies outside, in ulp of the nearer end: 0 inside and where there is no bound;
-// infinity for a NaN, for an infinity that is not allowed, and for a word that is another. Zeros of
-// both signs are one value.
+// infinity for a NaN, for an infinity that is not allowed, and for a word that is another. Of a
+// number between the ends that is no multiple of the quantum, the distance to the nearest one in
+// its own ulp. Zeros of both signs are one value.
 double Excess(const Allowed& allowed, std::uint32_t word);
 
 // Judges by what is allowed alone. `used` is the distance from the interval's middle as a share of
-// half its width: at most 1 inside; 0 inside an interval that is a point, a word or infinite. The
-// errors are Excess and the same in absolute terms. Not for what is unbounded.
+// half its width: at most 1 inside; 0 inside an interval that is a point, a word or infinite;
+// infinity for what is no multiple of the quantum. The errors are Excess and the same in absolute terms. Not for what is unbounded.
 Judgement JudgeAllowed(const Allowed& allowed, std::uint32_t word);
 
 // One value by all readings. Numbers of ints, uints and bools are those of WordValue.

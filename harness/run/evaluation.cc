@@ -22,6 +22,7 @@ Allowed AllowedOf(const evaluate::Bound& bound) {
             allowed.kind = Allowed::Kind::kNumber;
             allowed.low = bound.low;
             allowed.high = bound.high;
+            allowed.quantum = bound.quantum;
             break;
         case Kind::kWord:
             allowed.kind = Allowed::Kind::kWord;

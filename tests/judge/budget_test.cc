@@ -22,10 +22,10 @@ std::uint32_t Word(float value) {
 }
 
 Allowed Interval(float low, float high) {
-    return {Allowed::Kind::kNumber, low, high, 0};
+    return {Allowed::Kind::kNumber, low, high, 0, 0};
 }
 Allowed OneWord(std::uint32_t word) {
-    return {Allowed::Kind::kWord, 0, 0, word};
+    return {Allowed::Kind::kWord, 0, 0, word, 0};
 }
 const Allowed kAnything;
 
@@ -60,6 +60,20 @@ TEST(Excess, IsInfiniteWhereThereIsNoDistance) {
     EXPECT_EQ(Excess(Interval(1, static_cast<float>(kInf)), Word(static_cast<float>(-kInf))), kInf);
     EXPECT_EQ(Excess(Interval(1, static_cast<float>(kInf)), Word(static_cast<float>(kNan))), kInf);
     EXPECT_EQ(Excess(OneWord(7), 8), kInf);
+}
+
+TEST(Excess, OfANumberBetweenMultiplesIsTheWayToOne) {
+    Allowed eighths = Interval(1, 2);
+    eighths.quantum = 0.125f;
+    EXPECT_EQ(Excess(eighths, Word(1.375f)), 0);
+    EXPECT_EQ(Excess(eighths, Word(static_cast<float>(1.375 - 3 * kUlp))), 3);
+    EXPECT_EQ(Excess(eighths, Word(1.4375f)), 0x1p19);
+    EXPECT_EQ(JudgeAllowed(eighths, Word(1.4375f)).used, kInf);
+    EXPECT_EQ(JudgeAllowed(eighths, Word(1.4375f)).error, 0.0625);
+    EXPECT_FALSE(JudgeAllowed(eighths, Word(1.4375f)).accepted);
+    EXPECT_EQ(JudgeAllowed(eighths, Word(1.75f)).used, 0.5);
+    eighths.high = static_cast<float>(kInf);
+    EXPECT_EQ(Excess(eighths, Word(static_cast<float>(kInf))), 0);
 }
 
 TEST(Excess, IsNothingWhereThereIsNoBound) {
