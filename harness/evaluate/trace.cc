@@ -72,7 +72,9 @@ class Tracer {
         for (const spirv::Function& function : plan_->module.functions) {
             for (const spirv::Block& block : function.blocks) {
                 for (const spirv::Instruction& instruction : block.instructions) {
-                    instructions_.emplace(instruction.word, &instruction);
+                    sources_.emplace(instruction.word,
+                                     Source{&instruction,
+                                            spirv::IsWatchable(plan_->module, instruction)});
                 }
             }
         }
@@ -191,21 +193,18 @@ class Tracer {
             RunCall(step);
             return;
         }
-        const auto found = instructions_.find(step.word);
-        const spirv::Instruction* instruction =
-            step.word == 0 || found == instructions_.end() ? nullptr : found->second;
-        const Operation<Origin> move = MoveOf(step.code);
-        if (move != nullptr || instruction == nullptr) {
-            ETALON_CHECK(move != nullptr);
-            if (step.code == Code(spv::Op::OpStore) && instruction != nullptr) {
-                NoteStore(step, instruction);
+        const auto found = sources_.find(step.word);
+        const Source source = found == sources_.end() ? Source{} : found->second;
+        if (const Operation<Origin> move = MoveOf(step.code)) {
+            if (step.code == Code(spv::Op::OpStore)) {
+                NoteStore(step, source.instruction);
             }
             OperationOf<float>(step.code)(strict_, step);
             OperationOf<Big>(step.code)(exact_, step);
             move(origin_, step);
             return;
         }
-        if (!spirv::IsWatchable(plan_->module, *instruction)) {
+        if (!source.is_watchable) {
             // Of words alone, or a cast of bits.
             OperationOf<float>(step.code)(strict_, step);
             OperationOf<Big>(step.code)(exact_, step);
@@ -213,7 +212,7 @@ class Tracer {
             MarkNumbers(step, kNone);
             return;
         }
-        Record(step, instruction);
+        Record(step, source.instruction);
     }
 
     void RunCall(const Step& step) {
@@ -313,7 +312,7 @@ class Tracer {
         }
         std::sort(columns.begin(), columns.end());
         columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-        if (!is_frexp) {
+        if (!is_frexp && step.size.floats != 0) {
             Measure(step, columns, traced);
         }
         MarkNumbers(step, static_cast<std::uint32_t>(trace_.steps.size()));
@@ -384,7 +383,11 @@ class Tracer {
     Machine<float> strict_;
     Machine<Big> exact_;
     Machine<Origin> origin_;
-    std::unordered_map<std::uint32_t, const spirv::Instruction*> instructions_;  // by word
+    struct Source {
+        const spirv::Instruction* instruction = nullptr;
+        bool is_watchable = false;
+    };
+    std::unordered_map<std::uint32_t, Source> sources_;  // by word
     std::uint32_t spent_ = 0;
     bool is_killed_ = false;
     Trace trace_;

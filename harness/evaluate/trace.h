@@ -47,6 +47,7 @@ struct TracedWord {
     std::uint32_t exact = 0;  // what the exact operands yield; the way does not follow it
 };
 
+// Pointers are into the plan's module, which must outlive them.
 // One execution of an instruction that computes with numbers (spirv::IsWatchable).
 struct TracedStep {
     const spirv::Instruction* instruction = nullptr;  // of the plan's module

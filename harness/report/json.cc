@@ -1,26 +1,11 @@
 #include "report/json.h"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include "report/json_value.h"
 
 namespace etalon {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json Number(double value) {
-    if (std::isnan(value)) {
-        return "nan";
-    }
-    if (std::isinf(value)) {
-        return value > 0 ? "inf" : "-inf";
-    }
-    return value;
-}
-
-ordered_json ValueJson(const Value& value) {
-    return {{"decimal", value.decimal}, {"hex", value.hex}};
-}
 
 ordered_json DeviceJson(const DeviceInfo& device) {
     return {{"name", device.name},
@@ -44,7 +29,7 @@ ordered_json InputsJson(const std::vector<std::pair<std::string, Value>>& inputs
 }
 
 ordered_json PartJson(const PartSeen& part) {
-    return {{"ulp", Number(part.ulp)}, {"absolute", Number(part.absolute)}};
+    return {{"ulp", NumberJson(part.ulp)}, {"absolute", NumberJson(part.absolute)}};
 }
 
 ordered_json BudgetJson(const Budget& budget) {
@@ -61,7 +46,7 @@ ordered_json AllowedJson(const AllowedValue& allowed) {
     }
     return {{"low", ValueJson(allowed.low)},
             {"high", ValueJson(allowed.high)},
-            {"excess_ulp", Number(allowed.excess)}};
+            {"excess_ulp", NumberJson(allowed.excess)}};
 }
 
 ordered_json ObservationJson(const Observation& observation) {
@@ -71,9 +56,9 @@ ordered_json ObservationJson(const Observation& observation) {
                          {"actual", ValueJson(observation.actual)},
                          {"expected", observation.expected ? ValueJson(*observation.expected)
                                                            : ordered_json(nullptr)},
-                         {"error", Number(observation.error)},
-                         {"ulp_error", Number(observation.ulp_error)},
-                         {"used", Number(observation.used)}};
+                         {"error", NumberJson(observation.error)},
+                         {"ulp_error", NumberJson(observation.ulp_error)},
+                         {"used", NumberJson(observation.used)}};
     if (observation.budget) {
         json["budget"] = BudgetJson(*observation.budget);
     }
@@ -104,7 +89,7 @@ ordered_json ShareJson(const ShareCount& count) {
         json["hits"] = count.hits;
         json["missed"] = count.missed;
         json["missed_allowed"] = count.missed_allowed;
-        json["worst_right"] = Number(count.worst_right);
+        json["worst_right"] = NumberJson(count.worst_right);
     }
     return json;
 }
@@ -126,7 +111,7 @@ ordered_json RecordJson(const Record& record) {
                          {"repeat", record.repeat},
                          {"known_cause", record.known_cause},
                          {"flake", record.flake},
-                         {"seconds", Number(record.seconds)}};
+                         {"seconds", NumberJson(record.seconds)}};
     json["figures"] = ordered_json::array();
     for (const FigureSeen& figure : record.figures) {
         json["figures"].push_back(
@@ -154,11 +139,6 @@ ordered_json RecordJson(const Record& record) {
     return json;
 }
 
-// Paths and drivers' words may hold bytes that are not UTF-8; they are replaced, not thrown over.
-std::string Dump(const ordered_json& json) {
-    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-}
-
 }  // namespace
 
 std::string DevicesJson(const RunRecord& run) {
@@ -166,7 +146,7 @@ std::string DevicesJson(const RunRecord& run) {
     for (const DeviceInfo& device : run.devices) {
         devices.push_back(DeviceJson(device));
     }
-    return Dump(devices);
+    return DumpJson(devices);
 }
 
 std::string RunJson(const RunRecord& run) {
@@ -182,7 +162,7 @@ std::string RunJson(const RunRecord& run) {
     for (const Record& record : run.records) {
         json["records"].push_back(RecordJson(record));
     }
-    return Dump(json);
+    return DumpJson(json);
 }
 
 }  // namespace etalon
