@@ -1,0 +1,381 @@
+#include "run/explain_device.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "base/format.h"
+#include "compile/spirv.h"
+#include "evaluate/bound.h"
+#include "numeric/ulp.h"
+#include "report/text.h"
+#include "run/explain_steps.h"
+#include "run/fit.h"
+#include "spirv/read.h"
+#include "spirv/watch.h"
+
+namespace etalon {
+namespace {
+
+using evaluate::Origin;
+using evaluate::TracedOperand;
+using evaluate::TracedStep;
+
+std::string AllowedText(const Allowed& allowed) {
+    switch (allowed.kind) {
+        case Allowed::Kind::kNumber:
+            return WordText(Scalar::kFloat, std::bit_cast<std::uint32_t>(allowed.low)) + " to " +
+                   WordText(Scalar::kFloat, std::bit_cast<std::uint32_t>(allowed.high));
+        case Allowed::Kind::kWord:
+            return "the strict result alone";
+        case Allowed::Kind::kUnbounded:
+            return "anything: it states no bound that is of use here";
+    }
+    return "";
+}
+
+ExplainedPart Plain(const Part& part) {
+    return {part.absolute, part.ulp};
+}
+
+// Fills what follows from the device's outputs.
+void Judge(const Subject& subject, Evaluation& evaluation, const evaluate::Profile& profile,
+           std::span<const std::uint32_t> outputs, ExplainedDevice& device) {
+    const std::uint32_t word = outputs[subject.column];
+    device.result = WordOf(subject.scalar, word);
+    const auto& values = evaluation.Get();
+    const auto& bounds = evaluation.Bounds(profile);
+    device.profile = profile.name;
+    if (!values || !bounds) {
+        device.allowed = "unknown: " + (values ? bounds.error() : values.error()).message;
+        return;
+    }
+    const Allowed& allowed = (*bounds)[subject.column];
+    device.allowed = AllowedText(allowed);
+    const double excess = Excess(allowed, word);
+    device.is_allowed = excess == 0;
+    const std::vector<double> method = evaluation.MethodAt(0);
+    Readings readings;
+    if (subject.judged != nullptr) {
+        readings.truth = subject.judged->truth.values[0];
+        readings.truth_error = subject.judged->truth.errors[0];
+    }
+    readings.method = method[subject.column];
+    readings.strict = WordValue(subject.scalar, values->strict[subject.column]);
+    readings.device = WordValue(subject.scalar, word);
+    const bool flush = subject.judged == nullptr || subject.judged->accept.flush;
+    const Parts parts = PartsOf(subject.scalar, readings, flush);
+    if (readings.truth) {
+        device.method = Plain(parts.method);
+    }
+    device.rounding = Plain(parts.rounding);
+    device.driver = Plain(parts.driver);
+    if (subject.judged != nullptr) {
+        const Judgement judgement =
+            JudgeValue(subject.judged->accept, subject.scalar, word, subject.judged->truth, 0);
+        if (!judgement.accepted) {
+            device.culprit = CulpritName(CulpritOf(parts, allowed, excess));
+        }
+    } else if (subject.law != nullptr) {
+        const auto [left, right] = subject.law->pairs[subject.pair];
+        const auto sides = [&](const auto& of) { return LawReadings::Sides{of(left), of(right)}; };
+        const auto strict = [&](std::size_t c) {
+            return WordValue(subject.scalar, values->strict[c]);
+        };
+        const auto seen = [&](std::size_t c) { return WordValue(subject.scalar, outputs[c]); };
+        const LawReadings law{sides([&](std::size_t c) { return method[c]; }), sides(strict),
+                              sides(seen)};
+        if (!JudgeLaw(subject.law->law, subject.scalar, outputs[left], outputs[right]).accepted) {
+            device.culprit = CulpritName(CulpritOfLaw(subject.law->law, subject.scalar, law,
+                                                      (*bounds)[left], (*bounds)[right]));
+        }
+    }
+    if (device.culprit.empty() && !device.is_allowed) {
+        device.culprit = "nonconforming";
+    }
+}
+
+// The result if a product that goes in had not been rounded; nothing where none goes in, or the
+// operation may not be contracted.
+struct Contracted {
+    std::uint32_t word = 0;
+    std::size_t product = 0;  // step
+};
+std::vector<Contracted> Contractions(const StrictPath& path, const TracedStep& step,
+                                     std::uint32_t leaf) {
+    const bool is_sum = step.instruction->op == spv::Op::OpFAdd;
+    if (!is_sum && step.instruction->op != spv::Op::OpFSub) {
+        return {};
+    }
+    std::vector<Contracted> found;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Origin origin = step.operands[k][leaf].origin;
+        if (origin.step == spirv::kNone) {
+            continue;
+        }
+        const TracedStep& product = path.trace.steps[origin.step];
+        const spv::Op op = product.instruction->op;
+        if (op != spv::Op::OpFMul && op != spv::Op::OpVectorTimesScalar) {
+            continue;
+        }
+        const float a = product.operands[0][origin.number].value;
+        const float b = product.operands[1][op == spv::Op::OpFMul ? origin.number : 0].value;
+        const float other = step.operands[1 - k][leaf].value;
+        const float fused = is_sum   ? std::fma(a, b, other)
+                            : k == 0 ? std::fma(a, b, -other)
+                                     : std::fma(-a, b, other);
+        found.push_back({std::bit_cast<std::uint32_t>(fused), origin.step});
+    }
+    return found;
+}
+
+// What a profile lets the operation alone yield, from these operands; nothing where it cannot be
+// said in GLSL, or not be evaluated.
+std::optional<evaluate::Bound> BoundAlone(const Subject& subject, const spirv::Module& module,
+                                          const SourceTerms& terms, const TracedStep& step,
+                                          std::uint32_t leaf, const evaluate::Profile& profile) {
+    Call call = *subject.call;
+    call.arguments.clear();
+    std::vector<std::string> names;
+    std::vector<std::uint32_t> inputs;
+    const std::vector<std::uint32_t> values = evaluate::OperandValues(module, *step.instruction);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::string type = terms.TypeName(module.values[values[i]].type);
+        if (type.empty()) {
+            return std::nullopt;
+        }
+        names.push_back("operand_" + std::to_string(i));
+        call.arguments.push_back({names.back(), type, true, false});
+        for (const TracedOperand& number : step.operands[i]) {
+            inputs.push_back(std::bit_cast<std::uint32_t>(number.value));
+        }
+        inputs.insert(inputs.end(), step.operand_words[i].begin(), step.operand_words[i].end());
+    }
+    call.wanted = {{"result", terms.Glsl(*step.instruction, names), "operation"}};
+    const Result<Signature> signature = Inspect(call);
+    if (!signature || signature->InputWords(call) != inputs.size()) {
+        return std::nullopt;
+    }
+    const Result<Program, CompileFailure> program =
+        Compile(call, *signature, Recipe{}, Target{}, {});
+    if (!program || leaf >= program->output_words) {
+        return std::nullopt;
+    }
+    Result<spirv::Module> alone = spirv::ReadModule(program->spirv);
+    if (!alone) {
+        return std::nullopt;
+    }
+    const auto plan = evaluate::MakePlan(std::move(*alone));
+    if (!plan || (*plan)->images != 0) {
+        return std::nullopt;
+    }
+    return evaluate::BoundOutputs(*plan, {}, profile, 1, inputs, program->output_words)[leaf];
+}
+
+// Whether it may yield that.
+std::string Verdict(const Subject& subject, const StrictPath& path, const SourceTerms& terms,
+                    const evaluate::Profile& profile, const TracedStep& step,
+                    const Parting& parting) {
+    const spirv::Module& module = path.plan->module;
+    const std::string name(profile.name);
+    if (parting.is_alone) {
+        return "; it was seen only where one operation at a time was watched, so that others "
+               "before "
+               "it may have parted too";
+    }
+    for (const Contracted& one : Contractions(path, step, parting.leaf)) {
+        if (IsSameFloat(one.word, parting.word)) {
+            const bool is_free = !module.values[step.instruction->result].no_contraction;
+            return format(": contracted with the product #{}, which is not rounded; {} {}",
+                          one.product + 1, name,
+                          is_free ? "allows that" : "forbids that, for the operation is precise");
+        }
+    }
+    const auto bound = BoundAlone(subject, module, terms, step, parting.leaf, profile);
+    if (!bound) {
+        return "";
+    }
+    switch (bound->kind) {
+        case evaluate::Bound::Kind::kNumber:
+            return format("; {} {} it: {} to {}", name,
+                          bound->Holds(parting.word) ? "allows" : "does not allow",
+                          WordText(Scalar::kFloat, std::bit_cast<std::uint32_t>(bound->low)),
+                          WordText(Scalar::kFloat, std::bit_cast<std::uint32_t>(bound->high)));
+        case evaluate::Bound::Kind::kWord:
+            return format("; {} {} it", name,
+                          bound->Holds(parting.word) ? "allows" : "does not allow");
+        case evaluate::Bound::Kind::kUnbounded:
+            return format("; {} states no bound for it", name);
+    }
+    return "";
+}
+
+std::vector<std::uint32_t> RowWords(const Subject& subject) {
+    const Rows rows = subject.rows();
+    return {rows.words.begin(), rows.words.end()};
+}
+
+ExplainedParting Unwatched(const std::string& reason) {
+    ExplainedParting parting;
+    parting.text = "not watched: " + reason;
+    return parting;
+}
+
+ExplainedParting WatchDevice(const Subject& subject, const StrictPath& path,
+                             const SourceTerms& terms, Runner& runner, const Recipe& recipe,
+                             std::span<const std::uint32_t> outputs) {
+    const DeviceInfo& info = runner.info();
+    if (!info.Has("spirv")) {
+        return Unwatched("the device takes GLSL text only, and operations are watched in SPIR-V");
+    }
+    const std::vector<std::uint32_t> row = RowWords(subject);
+    Recipe plain = recipe;
+    plain.form = Form::kSpirv;
+    plain.optimise = Recipe::Optimise::kNone;
+    if (recipe.form == Form::kGlsl && !info.Has("compute")) {
+        plain.stage = Stage::kFragment;
+    }
+    const Target target = TargetOf(info);
+    const auto baked = recipe.baked ? std::vector<std::vector<std::uint32_t>>{row}
+                                    : std::vector<std::vector<std::uint32_t>>{};
+    const Result<Program, CompileFailure> program =
+        Compile(*subject.call, *subject.signature, plain, target, baked);
+    if (!program) {
+        return Unwatched(program.error().reason);
+    }
+    const std::span<const std::uint32_t> inputs =
+        recipe.baked ? std::span<const std::uint32_t>() : row;
+    const Execute execute =
+        [&](const Program& watched) -> Result<std::vector<std::uint32_t>, EvaluationFailure> {
+        Program ready = watched;
+        const auto failed = [](const Error& error) {
+            return EvaluationFailure{EvaluationFailure::Kind::kUnsupported, error.message};
+        };
+        if (recipe.optimise != Recipe::Optimise::kNone) {
+            auto better = OptimiseSpirv(watched.spirv, recipe.optimise, target);
+            if (!better) {
+                return failed(better.error());
+            }
+            ready.spirv = std::move(*better);
+        }
+        if (auto valid = ValidateSpirv(ready.spirv, target); !valid) {
+            return failed(valid.error());
+        }
+        return runner.RunOnce("watched", ready, inputs);
+    };
+    if (recipe.form == Form::kGlsl) {
+        const auto unwatched = execute(*program);
+        if (!unwatched) {
+            return Unwatched(unwatched.error().reason);
+        }
+        if (!std::equal(outputs.begin(), outputs.end(), unwatched->begin())) {
+            return Unwatched(
+                "the device returns " + WordText(subject.scalar, (*unwatched)[subject.column]) +
+                " from SPIR-V, another value than from text, and operations are watched in "
+                "SPIR-V");
+        }
+    }
+    return PartingText(subject, path, terms, ProfileOf(info),
+                       FindParting(*program, path.plan->module, path.trace, outputs, execute));
+}
+
+std::string FailureOf(const EvaluationFailure& failure) {
+    switch (failure.kind) {
+        case EvaluationFailure::Kind::kInput:
+        case EvaluationFailure::Kind::kUnsupported:
+            return "skipped: " + failure.reason;
+        case EvaluationFailure::Kind::kRejected:
+            return "fail: " + failure.reason;
+        case EvaluationFailure::Kind::kCrash:
+            return "crash: " + failure.reason;
+        case EvaluationFailure::Kind::kTimeout:
+            return "timeout: " + failure.reason;
+    }
+    return failure.reason;
+}
+
+}  // namespace
+
+ExplainedParting PartingText(const Subject& subject, const StrictPath& path,
+                             const SourceTerms& terms, const evaluate::Profile& profile,
+                             const Parting& parting) {
+    ExplainedParting explained;
+    const auto count = path.trace.steps.size();
+    switch (parting.kind) {
+        case Parting::Kind::kFailed:
+            return Unwatched(parting.reason);
+        case Parting::Kind::kUnseen:
+            explained.text = format(
+                "parts from binary32 nowhere while it is watched: the difference vanishes in all "
+                "{} "
+                "programs that watch it",
+                parting.programs);
+            return explained;
+        case Parting::Kind::kNowhere:
+            explained.text = count == 0
+                                 ? "there is no operation with numbers to watch"
+                                 : format("all {} operations yield what binary32 does", count);
+            return explained;
+        case Parting::Kind::kWay:
+            explained.happens = true;
+            explained.step = static_cast<std::uint32_t>(parting.step + 1);
+            explained.text = format(
+                "takes another way before #{}: everything until there yields what binary32 does",
+                explained.step);
+            return explained;
+        case Parting::Kind::kOperation:
+            break;
+    }
+    const TracedStep& step = path.trace.steps[parting.step];
+    const spirv::Module& module = path.plan->module;
+    const Scalar scalar = LeafScalar(module, step.instruction->type, parting.leaf);
+    const bool is_float = parting.leaf < step.numbers.size();
+    const std::uint32_t strict =
+        is_float ? std::bit_cast<std::uint32_t>(step.numbers[parting.leaf].value)
+                 : step.words[parting.leaf - step.numbers.size()].value;
+    explained.happens = true;
+    explained.step = static_cast<std::uint32_t>(parting.step + 1);
+    explained.part = terms.LeafName(step.instruction->type, parting.leaf);
+    explained.strict = WordOf(scalar, strict);
+    explained.device = WordOf(scalar, parting.word);
+    std::string distance;
+    if (is_float) {
+        distance =
+            format(", {} ulp off", ShortNumber(UlpError(std::bit_cast<float>(parting.word),
+                                                        double{std::bit_cast<float>(strict)})));
+    }
+    explained.text =
+        format("parts at #{}{}: {} = {} where binary32 has {}{}{}", explained.step, explained.part,
+               explained.device.decimal, explained.device.hex, explained.strict.hex, distance,
+               Verdict(subject, path, terms, profile, step, parting));
+    return explained;
+}
+
+ExplainedDevice ExplainDevice(const Subject& subject, const StrictPath& path,
+                              const SourceTerms& terms, Evaluations& evaluations, Runner& runner,
+                              const Recipe& recipe) {
+    ExplainedDevice device;
+    device.device = runner.info().name;
+    const Result<Recipe> fitted = FitRecipe(recipe, runner.info());
+    device.recipe = RecipeText(fitted ? *fitted : recipe);
+    if (!fitted) {
+        device.failure = "skipped: " + fitted.error().message;
+        return device;
+    }
+    std::vector<std::uint32_t> outputs;
+    const auto evaluated =
+        runner.Evaluate(*subject.call, *subject.signature, *fitted, subject.rows(),
+                        [&](std::uint64_t, std::uint32_t, std::span<const std::uint32_t> words) {
+                            outputs.assign(words.begin(), words.end());
+                        });
+    if (!evaluated) {
+        device.failure = FailureOf(evaluated.error());
+        return device;
+    }
+    Judge(subject, evaluations.Of(*subject.call, *subject.signature, *fitted, subject.rows()),
+          ProfileOf(runner.info()), outputs, device);
+    device.parting = WatchDevice(subject, path, terms, runner, *fitted, outputs);
+    return device;
+}
+
+}  // namespace etalon
