@@ -257,10 +257,9 @@ int ExplainCase(ExplainChoice choice, const std::string& root, const DeviceOptio
         return Complain(explanation.error().message);
     }
     std::cout << (json ? ExplanationJson(*explanation) : ExplanationText(*explanation, all));
-    const bool is_good = std::all_of(
-        explanation->devices.begin(), explanation->devices.end(), [](const ExplainedDevice& one) {
-            return one.culprit.empty() && (one.failure.empty() || one.failure.starts_with("skip"));
-        });
+    const bool is_good =
+        std::all_of(explanation->devices.begin(), explanation->devices.end(),
+                    [](const ExplainedDevice& device) { return device.record.Good(); });
     return is_good ? 0 : kVerdict;
 }
 

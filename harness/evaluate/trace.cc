@@ -72,9 +72,9 @@ class Tracer {
         for (const spirv::Function& function : plan_->module.functions) {
             for (const spirv::Block& block : function.blocks) {
                 for (const spirv::Instruction& instruction : block.instructions) {
-                    sources_.emplace(instruction.word,
-                                     Source{&instruction,
-                                            spirv::IsWatchable(plan_->module, instruction)});
+                    sources_.emplace(
+                        instruction.word,
+                        Source{&instruction, spirv::IsWatchable(plan_->module, instruction)});
                 }
             }
         }
@@ -118,9 +118,9 @@ class Tracer {
         for (std::uint32_t at = 0;;) {
             const Block& block = function.blocks[at];
             if (block.is_counted && ++spent_ > limits_.steps) {
-                strict_.Fail(0, Step{},
-                             "a loop does not end within " + std::to_string(limits_.steps) +
-                                 " steps");
+                strict_.Fail(
+                    0, Step{},
+                    "a loop does not end within " + std::to_string(limits_.steps) + " steps");
             }
             for (std::uint32_t i = 0; i < block.steps && IsAlive(); ++i) {
                 RunStep(plan_->steps[block.first_step + i]);
@@ -252,8 +252,8 @@ class Tracer {
         }
         const Origin first = origin_.Floats(origin_.Operand(step, 0).floats)[0];
         for (std::uint32_t i = 0; i < step.size.floats; ++i) {
-            if (first.step == kNone ||
-                !(origin_.Floats(origin_.Operand(step, 0).floats + i)[0] == Origin{first.step, i})) {
+            if (first.step == kNone || !(origin_.Floats(origin_.Operand(step, 0).floats + i)[0] ==
+                                         Origin{first.step, i})) {
                 return;
             }
         }
@@ -284,15 +284,14 @@ class Tracer {
                 columns.push_back(column);
             }
             for (std::uint32_t i = floats; i < leaves; ++i) {
-                traced.operand_words.back().push_back(
-                    strict_.Words(place.words + i - floats)[0]);
+                traced.operand_words.back().push_back(strict_.Words(place.words + i - floats)[0]);
             }
         }
         OperationOf<float>(step.code)(strict_, step);
         OperationOf<Big>(step.code)(exact_, step);
         for (std::uint32_t i = 0; i < step.size.words; ++i) {
-            traced.words.push_back({strict_.Words(step.result.words + i)[0],
-                                    exact_.Words(step.result.words + i)[0]});
+            traced.words.push_back(
+                {strict_.Words(step.result.words + i)[0], exact_.Words(step.result.words + i)[0]});
         }
         const bool is_frexp = step.code == kGlslCode + GLSLstd450FrexpStruct;
         if (is_frexp) {
@@ -352,7 +351,8 @@ class Tracer {
             }
             const bool is_zero = O::Equal(kept, Big());
             // Of a zero the least float shows at least what depends on it.
-            exact_.Floats(column)[0] = is_zero ? O::FromBits(1) : O::Add(kept, O::Ldexp(kept, kMoved));
+            exact_.Floats(column)[0] =
+                is_zero ? O::FromBits(1) : O::Add(kept, O::Ldexp(kept, kMoved));
             run(exact_, step);
             exact_.Floats(column)[0] = kept;
             const Origin origin = origin_.Floats(column)[0];

@@ -50,9 +50,9 @@ struct TracedWord {
 // Pointers are into the plan's module, which must outlive them.
 // One execution of an instruction that computes with numbers (spirv::IsWatchable).
 struct TracedStep {
-    const spirv::Instruction* instruction = nullptr;  // of the plan's module
-    std::vector<TracedNumber> numbers;                // floats of the result, as spirv::Leaves
-    std::vector<TracedWord> words;                    // its ints and bools
+    const spirv::Instruction* instruction = nullptr;   // of the plan's module
+    std::vector<TracedNumber> numbers;                 // floats of the result, as spirv::Leaves
+    std::vector<TracedWord> words;                     // its ints and bools
     std::vector<std::vector<TracedOperand>> operands;  // by operand: its floats
     std::vector<std::vector<std::uint32_t>> operand_words;  // by operand: its ints and bools
     const spirv::Instruction* stored = nullptr;  // the OpStore that first kept it in a variable
@@ -61,10 +61,10 @@ struct TracedStep {
 struct Trace {
     std::vector<TracedStep> steps;  // in the order of their execution
     std::vector<std::uint32_t> outputs;
-    std::vector<Big> exact;        // of the outputs; of what is no float, its bits taken as one
-    std::vector<Origin> origins;   // of the outputs
-    bool is_killed = false;        // by `discard`: the outputs were not written
-    bool is_cut = false;           // the path has more than kMostTraced steps; the rest is missing
+    std::vector<Big> exact;       // of the outputs; of what is no float, its bits taken as one
+    std::vector<Origin> origins;  // of the outputs
+    bool is_killed = false;       // by `discard`: the outputs were not written
+    bool is_cut = false;          // the path has more than kMostTraced steps; the rest is missing
 };
 
 inline constexpr std::size_t kMostTraced = 1u << 17;

@@ -31,14 +31,8 @@ struct ExplainedStep {
     std::string name;       // of the variable that keeps the result; empty for none
     std::string operation;  // "radius - #3"
     std::vector<ExplainedValue> values;
-    bool is_decision = false;      // its values are no floats; they have no errors
+    bool is_decision = false;        // its values are no floats; they have no errors
     bool decides_otherwise = false;  // with exact operands
-};
-
-// Absolute, and in ulp of the truth.
-struct ExplainedPart {
-    double absolute = 0;
-    double ulp = 0;
 };
 
 // The first operation at which a device's results differ from the strict ones, operands alike.
@@ -52,17 +46,8 @@ struct ExplainedParting {
 };
 
 struct ExplainedDevice {
-    std::string device;
-    std::string recipe;
-    std::string failure;  // why there is no result; empty where there is
-    Value result;
-    std::optional<ExplainedPart> method;  // nothing where there is no truth
-    ExplainedPart rounding;
-    ExplainedPart driver;
-    std::string profile;  // of the allowed interval
-    std::string allowed;  // "0.25 to 0.2500001", "anything: ..."
-    bool is_allowed = true;
-    std::string culprit;  // of a refused result; empty where it is accepted
+    Record record;  // of this one row and output: verdict, budget, what is allowed
+    Value result;   // empty where there is none
     ExplainedParting parting;
 };
 

@@ -6,13 +6,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json PartJson(const ExplainedPart& part) {
-    return {{"absolute", NumberJson(part.absolute)}, {"ulp", NumberJson(part.ulp)}};
-}
-
 ordered_json StepJson(const ExplainedStep& step) {
-    ordered_json json = {{"number", step.number}, {"file", step.file},
-                         {"line", step.line},     {"name", step.name},
+    ordered_json json = {{"number", step.number},
+                         {"file", step.file},
+                         {"line", step.line},
+                         {"name", step.name},
                          {"operation", step.operation},
                          {"is_decision", step.is_decision},
                          {"decides_otherwise", step.decides_otherwise}};
@@ -30,19 +28,9 @@ ordered_json StepJson(const ExplainedStep& step) {
 }
 
 ordered_json DeviceJson(const ExplainedDevice& device) {
-    ordered_json json = {{"device", device.device}, {"recipe", device.recipe}};
-    if (!device.failure.empty()) {
-        json["failure"] = device.failure;
-        return json;
-    }
-    json["result"] = ValueJson(device.result);
-    json["method"] = device.method ? PartJson(*device.method) : ordered_json(nullptr);
-    json["rounding"] = PartJson(device.rounding);
-    json["driver"] = PartJson(device.driver);
-    json["profile"] = device.profile;
-    json["allowed"] = device.allowed;
-    json["is_allowed"] = device.is_allowed;
-    json["culprit"] = device.culprit;
+    ordered_json json = {{"record", RecordJson(device.record)}};
+    json["result"] =
+        device.result.decimal.empty() ? ordered_json(nullptr) : ValueJson(device.result);
     const ExplainedParting& parting = device.parting;
     json["parting"] = {{"text", parting.text}};
     if (parting.happens) {

@@ -52,29 +52,56 @@ std::string UlpText(double ulp) {
     return ShortNumber(ulp) + " ulp";
 }
 
+std::string VerdictText(const Record& record) {
+    std::string text(VerdictName(record.verdict));
+    for (const auto& [culprit, count] : record.culprits) {
+        text += ": " + culprit;
+    }
+    if (!record.reason.empty()) {
+        text += ": " + record.reason.substr(0, record.reason.find('\n'));
+    }
+    return text + (record.known_cause.empty() ? "" : " (known: " + record.known_cause + ")");
+}
+
+// What the record's one value is made of; null where it was not judged.
+const Observation* Seen(const Record& record) {
+    return record.worst ? &*record.worst : record.worst_outside ? &*record.worst_outside : nullptr;
+}
+
 std::string DevicesTable(const Explanation& explanation) {
     std::vector<Row> rows = {
         {"device", "recipe", "result", "method", "rounding", "driver", "verdict"}};
     for (const ExplainedDevice& device : explanation.devices) {
-        if (!device.failure.empty()) {
-            rows.push_back({device.device, device.recipe, "-", "-", "-", "-", device.failure});
-            continue;
+        const Observation* seen = Seen(device.record);
+        const std::string result = device.result.decimal.empty() ? "-" : device.result.decimal;
+        Row row = {device.record.device, device.record.recipe, result};
+        if (seen != nullptr && seen->budget) {
+            const Budget& budget = *seen->budget;
+            row.push_back(budget.method ? UlpText(budget.method->ulp) : "-");
+            row.push_back(UlpText(budget.rounding.ulp));
+            row.push_back(UlpText(budget.driver.ulp));
+        } else {
+            row.insert(row.end(), {"-", "-", "-"});
         }
-        rows.push_back({device.device, device.recipe, device.result.decimal,
-                        device.method ? UlpText(device.method->ulp) : "-",
-                        UlpText(device.rounding.ulp), UlpText(device.driver.ulp),
-                        device.culprit.empty() ? "accepted" : "refused: " + device.culprit});
+        row.push_back(VerdictText(device.record));
+        rows.push_back(std::move(row));
     }
     return Aligned(rows);
 }
 
+// One line for each specification that the devices are held to.
 std::string AllowedTable(const Explanation& explanation) {
     std::vector<Row> rows;
-    std::set<std::string> seen;
+    std::set<std::string> told;
     for (const ExplainedDevice& device : explanation.devices) {
-        if (!device.profile.empty() && seen.insert(device.profile + device.allowed).second) {
-            rows.push_back({"allowed", "by " + device.profile + ": " + device.allowed});
+        const Observation* seen = Seen(device.record);
+        if (seen == nullptr || !seen->allowed || !told.insert(device.record.profile).second) {
+            continue;
         }
+        rows.push_back({"allowed", (seen->allowed->bounded ? seen->allowed->low.decimal + " to " +
+                                                                 seen->allowed->high.decimal
+                                                           : "anything") +
+                                       (", by " + device.record.profile)});
     }
     return Aligned(rows);
 }
@@ -128,7 +155,7 @@ std::string Note(const Explanation& explanation, const ExplainedStep& step, std:
     for (const ExplainedDevice& device : explanation.devices) {
         if (device.parting.happens && device.parting.step == step.number &&
             device.parting.part == step.values[value].part) {
-            add("<- " + device.device + " parts here");
+            add("<- " + device.record.device + " parts here");
         }
     }
     return note;
@@ -194,7 +221,7 @@ std::string ExplanationText(const Explanation& explanation, bool all) {
     std::vector<Row> partings;
     for (const ExplainedDevice& device : explanation.devices) {
         if (!device.parting.text.empty()) {
-            partings.push_back({device.device, device.recipe, device.parting.text});
+            partings.push_back({device.record.device, device.record.recipe, device.parting.text});
         }
     }
     return text + (partings.empty() ? "" : "\n" + Aligned(partings));

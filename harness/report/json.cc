@@ -94,6 +94,8 @@ ordered_json ShareJson(const ShareCount& count) {
     return json;
 }
 
+}  // namespace
+
 ordered_json RecordJson(const Record& record) {
     ordered_json json = {{"case", record.case_path},
                          {"device", record.device},
@@ -138,8 +140,6 @@ ordered_json RecordJson(const Record& record) {
     json["worst"] = record.worst ? ObservationJson(*record.worst) : ordered_json(nullptr);
     return json;
 }
-
-}  // namespace
 
 std::string DevicesJson(const RunRecord& run) {
     ordered_json devices = ordered_json::array();

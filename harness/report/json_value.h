@@ -12,6 +12,9 @@ namespace etalon {
 nlohmann::ordered_json NumberJson(double value);
 nlohmann::ordered_json ValueJson(const Value& value);
 
+// All of a record.
+nlohmann::ordered_json RecordJson(const Record& record);
+
 // Paths and drivers' words may hold bytes that are not UTF-8; they are replaced, not thrown over.
 std::string DumpJson(const nlohmann::ordered_json& json);
 

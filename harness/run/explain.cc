@@ -10,6 +10,7 @@
 #include "run/explain_device.h"
 #include "run/explain_steps.h"
 #include "run/fit.h"
+#include "run/observe.h"
 #include "spirv/read.h"
 
 namespace etalon {
@@ -52,6 +53,8 @@ struct WorstInput {
 Result<WorstInput> FindWorst(const PreparedCase& prepared, const DeviceSet& devices,
                              const std::vector<Recipe>& wanted) {
     std::optional<Record> worst;
+    const PreparedCase thin = Thin(prepared, kSlowRows);
+    Evaluations evaluations(devices.programs);
     std::string reason = "no device has run it";
     for (const auto& runner : devices.runners) {
         for (const Recipe& recipe : RecipesFor(wanted, runner->info())) {
@@ -59,8 +62,8 @@ Result<WorstInput> FindWorst(const PreparedCase& prepared, const DeviceSet& devi
             if (!fitted || fitted->baked) {
                 continue;
             }
-            const Record record = RunCase(
-                runner->info().slow ? Thin(prepared, kSlowRows) : prepared, *runner, *fitted, {});
+            const Record record =
+                RunCase(runner->info().slow ? thin : prepared, *runner, *fitted, evaluations, {});
             if (!record.worst) {
                 reason = record.device + ": " + record.reason;
             } else if (!worst || record.worst->used > worst->worst->used) {
@@ -80,71 +83,63 @@ Result<WorstInput> FindWorst(const PreparedCase& prepared, const DeviceSet& devi
     return input;
 }
 
-std::string OutputNames(const std::vector<ProbeColumn>& outputs) {
+// What a case judges, by the names that --output takes.
+std::string Names(const PreparedCase& prepared) {
     std::string names;
-    for (const ProbeColumn& output : outputs) {
-        names += (names.empty() ? "'" : ", '") + output.name + "'";
+    const auto add = [&](const std::string& name) {
+        names += (names.empty() ? "'" : ", '") + name + "'";
+    };
+    for (const JudgedColumn& column : prepared.judged) {
+        add(column.name);
+    }
+    for (const PreparedLaw& law : prepared.laws) {
+        add(law.law.name);
     }
     return names;
 }
 
-Result<Subject> SubjectOf(const PreparedCase& prepared, const std::string& output) {
+Result<Subject> SubjectOf(PreparedCase prepared, const std::string& output) {
     Subject subject;
-    subject.prepared = &prepared;
-    subject.call = &prepared.call;
-    subject.signature = &prepared.signature;
-    if (prepared.judged.empty()) {
-        const PreparedLaw& law = prepared.laws.front();
-        subject.call = &law.call;
-        subject.signature = &law.signature;
-        subject.law = &law;
-    }
-    const std::vector<ProbeColumn> outputs = OutputColumns(*subject.call, *subject.signature);
-    if (!output.empty()) {
-        // A vector's name stands for its first component.
-        const auto named = std::find_if(outputs.begin(), outputs.end(), [&](const auto& column) {
-            return column.name == output ||
-                   (column.name.starts_with(output) &&
-                    (column.name[output.size()] == '.' || column.name[output.size()] == '['));
+    // A vector's name stands for its first component.
+    const auto judged =
+        std::find_if(prepared.judged.begin(), prepared.judged.end(), [&](const auto& column) {
+            return column.name.substr(0, column.name.find_first_of(".[")) == output ||
+                   column.name == output || output.empty();
         });
-        if (named == outputs.end()) {
-            return Error{"--output: the case has no output '" + output + "'; it has " +
-                         OutputNames(outputs)};
-        }
-        subject.column = static_cast<std::size_t>(named - outputs.begin());
+    const auto law = std::find_if(prepared.laws.begin(), prepared.laws.end(), [&](const auto& one) {
+        return one.law.name == output || output.empty();
+    });
+    if (judged != prepared.judged.end()) {
+        prepared.laws.clear();
+        prepared.judged = {JudgedColumn(*judged)};
+        subject.column = prepared.judged[0].column;
+        subject.name = prepared.judged[0].name;
+        subject.scalar = prepared.judged[0].scalar;
+    } else if (law != prepared.laws.end()) {
+        prepared.judged.clear();
+        prepared.laws = {PreparedLaw(*law)};
+        subject.column = prepared.laws[0].pairs[0].first;
+        subject.scalar = prepared.laws[0].scalars[0];
+        subject.name = "left side of " + LawLabel(prepared.laws[0].law);
     } else {
-        subject.column =
-            subject.law != nullptr ? subject.law->pairs[0].first : prepared.judged[0].column;
+        return Error{"--output: the case judges no '" + output + "'; it judges " + Names(prepared)};
     }
-    subject.name = outputs[subject.column].name;
-    subject.scalar = outputs[subject.column].scalar;
-    for (const JudgedColumn& column : prepared.judged) {
-        if (column.column == subject.column) {
-            subject.judged = &column;
-        }
-    }
-    for (std::size_t i = 0; subject.law != nullptr && i < subject.law->pairs.size(); ++i) {
-        const auto& [left, right] = subject.law->pairs[i];
-        if (left == subject.column || right == subject.column) {
-            subject.pair = i;
-            break;
-        }
-    }
+    subject.prepared = std::move(prepared);
     return subject;
 }
 
 Result<StrictPath> TracePath(const Subject& subject) {
     const auto cannot = [&](const std::string& reason) {
-        return Error{subject.prepared->source.path + ": cannot be explained: " + reason};
+        return Error{subject.prepared.source.path + ": cannot be explained: " + reason};
     };
-    if (subject.signature->stage == Stage::kFragment) {
+    if (subject.signature().stage == Stage::kFragment) {
         return cannot(
             "it compiles in a fragment shader only, and the evaluator knows no others "
             "than compute shaders");
     }
     StrictPath path;
     Result<Program, CompileFailure> program =
-        Compile(*subject.call, *subject.signature, Recipe{}, Target{}, {}, Lines::kKept);
+        Compile(subject.call(), subject.signature(), Recipe{}, Target{}, {}, Lines::kKept);
     if (!program) {
         return cannot(program.error().reason);
     }
@@ -172,14 +167,12 @@ Result<StrictPath> TracePath(const Subject& subject) {
 }
 
 std::string RuleOf(const Subject& subject) {
-    if (subject.judged != nullptr) {
-        return subject.scalar == Scalar::kFloat ? subject.judged->accept.Text() : "equal";
+    if (const JudgedColumn* column = subject.judged(); column != nullptr) {
+        return column->spec != nullptr            ? std::string(column->spec->name)
+               : subject.scalar == Scalar::kFloat ? column->accept.Text()
+                                                  : "equal";
     }
-    if (subject.law != nullptr) {
-        return "law '" + subject.law->law.name + "': " + subject.law->law.left + ", " +
-               subject.law->law.right;
-    }
-    return "";
+    return subject.law()->law.left + " against " + subject.law()->law.right;
 }
 
 }  // namespace
@@ -192,47 +185,35 @@ Result<Explanation> Explain(const ExplainChoice& choice) {
     explanation.case_path = name;
     std::string at = choice.at;
     // What is wrong with the input or the output is told before a device is opened.
-    std::optional<PreparedCase> whole;
-    if (at.empty()) {
-        ETALON_TRY(prepared, Prepare(source));
-        ETALON_TRY_STEP(SubjectOf(prepared, choice.output));
-        whole = std::move(prepared);
-    } else {
-        ETALON_TRY(prepared, PrepareAt(source, at));
-        ETALON_TRY_STEP(SubjectOf(prepared, choice.output));
-    }
+    ETALON_TRY(first, at.empty() ? Prepare(source) : PrepareAt(source, at));
+    ETALON_TRY(narrow, SubjectOf(first, choice.output));
     ETALON_TRY(devices, OpenDevices(choice.devices));
-    if (whole) {
-        ETALON_TRY(worst, FindWorst(*whole, devices, wanted));
+    if (at.empty()) {
+        ETALON_TRY(worst, FindWorst(narrow.prepared, devices, wanted));
         at = worst.at;
         explanation.chosen = worst.chosen;
     }
     ETALON_TRY(prepared, PrepareAt(source, at));
     ETALON_TRY(subject, SubjectOf(prepared, choice.output));
     ETALON_TRY(path, TracePath(subject));
-
-    for (std::size_t c = 0; c < prepared.table.columns.size(); ++c) {
-        const Column& column = prepared.table.columns[c];
-        explanation.inputs.emplace_back(column.name,
-                                        WordOf(column.scalar, prepared.table.At(0, c)));
-    }
+    explanation.inputs = InputsAt(subject.prepared.table, 0);
     explanation.output = subject.name;
     explanation.rule = RuleOf(subject);
-    if (subject.judged != nullptr) {
-        const double truth = subject.judged->truth.values[0];
+    if (subject.judged() != nullptr && !subject.judged()->truth.values.empty()) {
+        const double truth = subject.judged()->truth.values[0];
         explanation.truth = Value{Shortest(truth), HexFloat(truth)};
     }
-    explanation.strict = WordOf(subject.scalar, path.trace.outputs[subject.column]);
+    explanation.strict = ValueOf(subject.scalar, path.trace.outputs[subject.column]);
     const SourceTerms terms(path.plan->module);
-    ExplainSteps(path.plan->module, path.trace, terms, *subject.call, subject.column, explanation);
+    ExplainSteps(path.plan->module, path.trace, terms, subject.call(), subject.column, explanation);
 
-    Evaluations evaluations(std::make_shared<Programs>());
+    Evaluations evaluations(devices.programs);
     Evaluation& evaluation =
-        evaluations.Of(*subject.call, *subject.signature, Recipe{}, subject.rows());
+        evaluations.Of(subject.call(), subject.signature(), Recipe{}, subject.rows());
     if (!evaluation.Get()) {
         return Error{name + ": cannot be explained: " + evaluation.Get().error().message};
     }
-    const double method = evaluation.MethodAt(0)[subject.column];
+    const double method = evaluation.MethodAt(0, subject.column, subject.scalar);
     explanation.method = {Shortest(method), HexFloat(method)};
     for (const auto& runner : devices.runners) {
         for (const Recipe& recipe : RecipesFor(wanted, runner->info())) {

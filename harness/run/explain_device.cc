@@ -9,8 +9,10 @@
 #include "evaluate/bound.h"
 #include "numeric/ulp.h"
 #include "report/text.h"
+#include "run/case_run.h"
 #include "run/explain_steps.h"
 #include "run/fit.h"
+#include "run/observe.h"
 #include "spirv/read.h"
 #include "spirv/watch.h"
 
@@ -20,80 +22,6 @@ namespace {
 using evaluate::Origin;
 using evaluate::TracedOperand;
 using evaluate::TracedStep;
-
-std::string AllowedText(const Allowed& allowed) {
-    switch (allowed.kind) {
-        case Allowed::Kind::kNumber:
-            return WordText(Scalar::kFloat, std::bit_cast<std::uint32_t>(allowed.low)) + " to " +
-                   WordText(Scalar::kFloat, std::bit_cast<std::uint32_t>(allowed.high));
-        case Allowed::Kind::kWord:
-            return "the strict result alone";
-        case Allowed::Kind::kUnbounded:
-            return "anything: it states no bound that is of use here";
-    }
-    return "";
-}
-
-ExplainedPart Plain(const Part& part) {
-    return {part.absolute, part.ulp};
-}
-
-// Fills what follows from the device's outputs.
-void Judge(const Subject& subject, Evaluation& evaluation, const evaluate::Profile& profile,
-           std::span<const std::uint32_t> outputs, ExplainedDevice& device) {
-    const std::uint32_t word = outputs[subject.column];
-    device.result = WordOf(subject.scalar, word);
-    const auto& values = evaluation.Get();
-    const auto& bounds = evaluation.Bounds(profile);
-    device.profile = profile.name;
-    if (!values || !bounds) {
-        device.allowed = "unknown: " + (values ? bounds.error() : values.error()).message;
-        return;
-    }
-    const Allowed& allowed = (*bounds)[subject.column];
-    device.allowed = AllowedText(allowed);
-    const double excess = Excess(allowed, word);
-    device.is_allowed = excess == 0;
-    const std::vector<double> method = evaluation.MethodAt(0);
-    Readings readings;
-    if (subject.judged != nullptr) {
-        readings.truth = subject.judged->truth.values[0];
-        readings.truth_error = subject.judged->truth.errors[0];
-    }
-    readings.method = method[subject.column];
-    readings.strict = WordValue(subject.scalar, values->strict[subject.column]);
-    readings.device = WordValue(subject.scalar, word);
-    const bool flush = subject.judged == nullptr || subject.judged->accept.flush;
-    const Parts parts = PartsOf(subject.scalar, readings, flush);
-    if (readings.truth) {
-        device.method = Plain(parts.method);
-    }
-    device.rounding = Plain(parts.rounding);
-    device.driver = Plain(parts.driver);
-    if (subject.judged != nullptr) {
-        const Judgement judgement =
-            JudgeValue(subject.judged->accept, subject.scalar, word, subject.judged->truth, 0);
-        if (!judgement.accepted) {
-            device.culprit = CulpritName(CulpritOf(parts, allowed, excess));
-        }
-    } else if (subject.law != nullptr) {
-        const auto [left, right] = subject.law->pairs[subject.pair];
-        const auto sides = [&](const auto& of) { return LawReadings::Sides{of(left), of(right)}; };
-        const auto strict = [&](std::size_t c) {
-            return WordValue(subject.scalar, values->strict[c]);
-        };
-        const auto seen = [&](std::size_t c) { return WordValue(subject.scalar, outputs[c]); };
-        const LawReadings law{sides([&](std::size_t c) { return method[c]; }), sides(strict),
-                              sides(seen)};
-        if (!JudgeLaw(subject.law->law, subject.scalar, outputs[left], outputs[right]).accepted) {
-            device.culprit = CulpritName(CulpritOfLaw(subject.law->law, subject.scalar, law,
-                                                      (*bounds)[left], (*bounds)[right]));
-        }
-    }
-    if (device.culprit.empty() && !device.is_allowed) {
-        device.culprit = "nonconforming";
-    }
-}
 
 // The result if a product that goes in had not been rounded; nothing where none goes in, or the
 // operation may not be contracted.
@@ -134,7 +62,7 @@ std::vector<Contracted> Contractions(const StrictPath& path, const TracedStep& s
 std::optional<evaluate::Bound> BoundAlone(const Subject& subject, const spirv::Module& module,
                                           const SourceTerms& terms, const TracedStep& step,
                                           std::uint32_t leaf, const evaluate::Profile& profile) {
-    Call call = *subject.call;
+    Call call = subject.call();
     call.arguments.clear();
     std::vector<std::string> names;
     std::vector<std::uint32_t> inputs;
@@ -173,7 +101,7 @@ std::optional<evaluate::Bound> BoundAlone(const Subject& subject, const spirv::M
 }
 
 // Whether it may yield that.
-std::string Verdict(const Subject& subject, const StrictPath& path, const SourceTerms& terms,
+std::string WhetherAllowed(const Subject& subject, const StrictPath& path, const SourceTerms& terms,
                     const evaluate::Profile& profile, const TracedStep& step,
                     const Parting& parting) {
     const spirv::Module& module = path.plan->module;
@@ -239,7 +167,7 @@ ExplainedParting WatchDevice(const Subject& subject, const StrictPath& path,
     const auto baked = recipe.baked ? std::vector<std::vector<std::uint32_t>>{row}
                                     : std::vector<std::vector<std::uint32_t>>{};
     const Result<Program, CompileFailure> program =
-        Compile(*subject.call, *subject.signature, plain, target, baked);
+        Compile(subject.call(), subject.signature(), plain, target, baked);
     if (!program) {
         return Unwatched(program.error().reason);
     }
@@ -277,21 +205,6 @@ ExplainedParting WatchDevice(const Subject& subject, const StrictPath& path,
     }
     return PartingText(subject, path, terms, ProfileOf(info),
                        FindParting(*program, path.plan->module, path.trace, outputs, execute));
-}
-
-std::string FailureOf(const EvaluationFailure& failure) {
-    switch (failure.kind) {
-        case EvaluationFailure::Kind::kInput:
-        case EvaluationFailure::Kind::kUnsupported:
-            return "skipped: " + failure.reason;
-        case EvaluationFailure::Kind::kRejected:
-            return "fail: " + failure.reason;
-        case EvaluationFailure::Kind::kCrash:
-            return "crash: " + failure.reason;
-        case EvaluationFailure::Kind::kTimeout:
-            return "timeout: " + failure.reason;
-    }
-    return failure.reason;
 }
 
 }  // namespace
@@ -336,8 +249,8 @@ ExplainedParting PartingText(const Subject& subject, const StrictPath& path,
     explained.happens = true;
     explained.step = static_cast<std::uint32_t>(parting.step + 1);
     explained.part = terms.LeafName(step.instruction->type, parting.leaf);
-    explained.strict = WordOf(scalar, strict);
-    explained.device = WordOf(scalar, parting.word);
+    explained.strict = ValueOf(scalar, strict);
+    explained.device = ValueOf(scalar, parting.word);
     std::string distance;
     if (is_float) {
         distance =
@@ -347,7 +260,7 @@ ExplainedParting PartingText(const Subject& subject, const StrictPath& path,
     explained.text =
         format("parts at #{}{}: {} = {} where binary32 has {}{}{}", explained.step, explained.part,
                explained.device.decimal, explained.device.hex, explained.strict.hex, distance,
-               Verdict(subject, path, terms, profile, step, parting));
+               WhetherAllowed(subject, path, terms, profile, step, parting));
     return explained;
 }
 
@@ -355,25 +268,27 @@ ExplainedDevice ExplainDevice(const Subject& subject, const StrictPath& path,
                               const SourceTerms& terms, Evaluations& evaluations, Runner& runner,
                               const Recipe& recipe) {
     ExplainedDevice device;
-    device.device = runner.info().name;
+    Record& record = device.record;
     const Result<Recipe> fitted = FitRecipe(recipe, runner.info());
-    device.recipe = RecipeText(fitted ? *fitted : recipe);
     if (!fitted) {
-        device.failure = "skipped: " + fitted.error().message;
+        record.case_path = subject.prepared.source.path;
+        record.device = runner.info().name;
+        record.recipe = RecipeText(recipe);
+        record.verdict = Verdict::kSkip;
+        record.reason = fitted.error().message;
         return device;
     }
+    record = RunCase(subject.prepared, runner, *fitted, evaluations, {});
     std::vector<std::uint32_t> outputs;
     const auto evaluated =
-        runner.Evaluate(*subject.call, *subject.signature, *fitted, subject.rows(),
+        runner.Evaluate(subject.call(), subject.signature(), *fitted, subject.rows(),
                         [&](std::uint64_t, std::uint32_t, std::span<const std::uint32_t> words) {
                             outputs.assign(words.begin(), words.end());
                         });
     if (!evaluated) {
-        device.failure = FailureOf(evaluated.error());
         return device;
     }
-    Judge(subject, evaluations.Of(*subject.call, *subject.signature, *fitted, subject.rows()),
-          ProfileOf(runner.info()), outputs, device);
+    device.result = ValueOf(subject.scalar, outputs[subject.column]);
     device.parting = WatchDevice(subject, path, terms, runner, *fitted, outputs);
     return device;
 }

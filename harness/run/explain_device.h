@@ -11,21 +11,26 @@
 
 namespace etalon {
 
-// What is explained: an output of the case's call, or a side of one of its laws.
+// What is explained: one output of the case's call, or the left side of one of its laws, at one
+// row.
 struct Subject {
-    const PreparedCase* prepared = nullptr;
-    const Call* call = nullptr;
-    const Signature* signature = nullptr;
+    PreparedCase prepared;   // judges nothing else
     std::size_t column = 0;  // among the outputs
     std::string name;        // "result.x"
     Scalar scalar = Scalar::kFloat;
-    const JudgedColumn* judged = nullptr;  // where an oracle judges it
-    const PreparedLaw* law = nullptr;      // where a law does
-    std::size_t pair = 0;                  // of the law's pairs
 
+    const PreparedLaw* law() const {
+        return prepared.laws.empty() ? nullptr : &prepared.laws.front();
+    }
+    const JudgedColumn* judged() const {
+        return prepared.judged.empty() ? nullptr : &prepared.judged.front();
+    }
+    const Call& call() const { return law() != nullptr ? law()->call : prepared.call; }
+    const Signature& signature() const {
+        return law() != nullptr ? law()->signature : prepared.signature;
+    }
     Rows rows() const {
-        const Table& table = prepared->table;
-        return {table.words, table.rows, table.columns.size()};
+        return {prepared.table.words, prepared.table.rows, prepared.table.columns.size()};
     }
 };
 

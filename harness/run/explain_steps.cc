@@ -10,6 +10,7 @@
 #include "base/format.h"
 #include "numeric/ulp.h"
 #include "probe/generate.h"
+#include "run/observe.h"
 #include "spirv/watch.h"
 
 namespace etalon {
@@ -52,6 +53,11 @@ double LostBits(const Trace& trace, const TracedNumber& number) {
     }
     const double after = ErrorOf(number);
     return std::isinf(before) || !(after > before) ? 0 : std::log2(after / before);
+}
+
+// In the table ten digits tell it from binary32.
+Value ExactValue(double value) {
+    return {format("{:.10g}", value), HexFloat(value)};
 }
 
 // Lines of the user's files, read once.
@@ -113,15 +119,6 @@ class SourceLines {
 
 }  // namespace
 
-Value ExactValue(double value) {
-    return {format("{:.10g}", value), HexFloat(value)};
-}
-
-Value WordOf(Scalar scalar, std::uint32_t word) {
-    const std::string decimal = WordText(scalar, word);
-    return {decimal, scalar == Scalar::kFloat ? HexFloat(std::bit_cast<float>(word)) : decimal};
-}
-
 Scalar LeafScalar(const spirv::Module& module, std::uint32_t type, std::uint32_t leaf) {
     const spirv::Type& scalar = module.types[spirv::Leaves(module, type)[leaf].type];
     switch (scalar.kind) {
@@ -153,7 +150,7 @@ void ExplainSteps(const spirv::Module& module, const Trace& trace, const SourceT
         for (const TracedNumber& number : traced.numbers) {
             ExplainedValue value;
             value.part = terms.LeafName(traced.instruction->type, leaf);
-            value.strict = WordOf(Scalar::kFloat, std::bit_cast<std::uint32_t>(number.value));
+            value.strict = ValueOf(Scalar::kFloat, std::bit_cast<std::uint32_t>(number.value));
             value.exact = ExactValue(number.exact.ToDouble());
             value.error_ulp = ErrorOf(number);
             value.amplification = number.amplification;
@@ -172,8 +169,8 @@ void ExplainSteps(const spirv::Module& module, const Trace& trace, const SourceT
             const Scalar scalar = LeafScalar(module, traced.instruction->type, leaf);
             ExplainedValue value;
             value.part = terms.LeafName(traced.instruction->type, leaf);
-            value.strict = WordOf(scalar, word.value);
-            value.exact = WordOf(scalar, word.exact);
+            value.strict = ValueOf(scalar, word.value);
+            value.exact = ValueOf(scalar, word.exact);
             step.decides_otherwise = step.decides_otherwise || word.value != word.exact;
             // Beside floats they are the exponents of frexp; the table tells numbers.
             if (step.is_decision) {

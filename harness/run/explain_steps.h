@@ -15,10 +15,6 @@ void ExplainSteps(const spirv::Module& module, const evaluate::Trace& trace,
                   const SourceTerms& terms, const Call& call, std::size_t column,
                   Explanation& explanation);
 
-// A number that is more exact than binary32, and a word of one of its types.
-Value ExactValue(double value);
-Value WordOf(Scalar scalar, std::uint32_t word);
-
 // The type of a leaf of an instruction's result (spirv::Leaves).
 Scalar LeafScalar(const spirv::Module& module, std::uint32_t type, std::uint32_t leaf);
 

@@ -35,8 +35,8 @@ Form FormOf(spv::Op op) {
         add("+", true, {Op::OpFAdd});
         add("-", true, {Op::OpFSub});
         add("*", true,
-            {Op::OpFMul, Op::OpVectorTimesScalar, Op::OpMatrixTimesScalar,
-             Op::OpVectorTimesMatrix, Op::OpMatrixTimesVector, Op::OpMatrixTimesMatrix});
+            {Op::OpFMul, Op::OpVectorTimesScalar, Op::OpMatrixTimesScalar, Op::OpVectorTimesMatrix,
+             Op::OpMatrixTimesVector, Op::OpMatrixTimesMatrix});
         add("/", true, {Op::OpFDiv});
         add("==", true, {Op::OpFOrdEqual, Op::OpFUnordEqual});
         add("!=", true, {Op::OpFOrdNotEqual, Op::OpFUnordNotEqual});
@@ -64,12 +64,21 @@ Form FormOf(spv::Op op) {
 
 std::string GlslFunction(std::uint32_t number) {
     static const std::unordered_map<std::string_view, const char*> names = {
-        {"FAbs", "abs"},         {"FSign", "sign"},       {"FMin", "min"},
-        {"FMax", "max"},         {"FClamp", "clamp"},     {"NMin", "min"},
-        {"NMax", "max"},         {"NClamp", "clamp"},     {"FMix", "mix"},
-        {"Atan2", "atan"},       {"SmoothStep", "smoothstep"},
-        {"InverseSqrt", "inversesqrt"},                   {"FaceForward", "faceforward"},
-        {"MatrixInverse", "inverse"},                     {"ModfStruct", "modf"},
+        {"FAbs", "abs"},
+        {"FSign", "sign"},
+        {"FMin", "min"},
+        {"FMax", "max"},
+        {"FClamp", "clamp"},
+        {"NMin", "min"},
+        {"NMax", "max"},
+        {"NClamp", "clamp"},
+        {"FMix", "mix"},
+        {"Atan2", "atan"},
+        {"SmoothStep", "smoothstep"},
+        {"InverseSqrt", "inversesqrt"},
+        {"FaceForward", "faceforward"},
+        {"MatrixInverse", "inverse"},
+        {"ModfStruct", "modf"},
         {"FrexpStruct", "frexp"}};
     std::string name = spirv::GlslName(number);
     if (const auto found = names.find(name); found != names.end()) {
@@ -210,9 +219,8 @@ std::string SourceTerms::Constant(std::uint32_t value) const {
         members.push_back(Constant(member));
     }
     const bool is_one = type.kind == Kind::kVector &&
-                        std::all_of(members.begin(), members.end(), [&](const std::string& one) {
-                            return one == members.front();
-                        });
+                        std::all_of(members.begin(), members.end(),
+                                    [&](const std::string& one) { return one == members.front(); });
     return TypeName(source.type) + "(" + (is_one ? members.front() : Joined(members)) + ")";
 }
 
@@ -300,9 +308,9 @@ std::string SourceTerms::Text(std::uint32_t value) const {
                 return part == parts.front();
             });
             const bool is_vector = module_.types[definition->type].kind == Kind::kVector;
-            return name.empty() ? ""
-                                : name + "(" +
-                                      (is_one && is_vector ? parts.front() : Joined(parts)) + ")";
+            return name.empty()
+                       ? ""
+                       : name + "(" + (is_one && is_vector ? parts.front() : Joined(parts)) + ")";
         }
         default:
             return "";
@@ -310,8 +318,7 @@ std::string SourceTerms::Text(std::uint32_t value) const {
 }
 
 // "#3"; "#3.y" of a vector.
-std::string SourceTerms::Label(const evaluate::Trace& trace,
-                               const evaluate::Origin& origin) const {
+std::string SourceTerms::Label(const evaluate::Trace& trace, const evaluate::Origin& origin) const {
     const evaluate::TracedStep& step = trace.steps[origin.step];
     return "#" + std::to_string(origin.step + 1) +
            (step.numbers.size() > 1 ? LeafName(step.instruction->type, origin.number) : "");
@@ -329,9 +336,10 @@ std::string SourceTerms::Operand(const evaluate::Trace& trace, std::uint32_t val
         const evaluate::Origin& origin = numbers[i].origin;
         is_whole = is_whole && origin == evaluate::Origin{numbers.front().origin.step,
                                                           static_cast<std::uint32_t>(i)};
-        parts.push_back(origin.step == spirv::kNone
-                            ? WordText(Scalar::kFloat, std::bit_cast<std::uint32_t>(numbers[i].value))
-                            : Label(trace, origin));
+        parts.push_back(
+            origin.step == spirv::kNone
+                ? WordText(Scalar::kFloat, std::bit_cast<std::uint32_t>(numbers[i].value))
+                : Label(trace, origin));
     }
     if (is_whole && numbers.size() == trace.steps[numbers.front().origin.step].numbers.size()) {
         return "#" + std::to_string(numbers.front().origin.step + 1);

@@ -253,8 +253,7 @@ class Watcher {
     Words TellCount() {
         Words to;
         const std::uint32_t count = LoadCounter(to);
-        Emit(to, spv::Op::OpStore,
-             {PointerTo(to, declared_.UintConstant(place_.first)), count});
+        Emit(to, spv::Op::OpStore, {PointerTo(to, declared_.UintConstant(place_.first)), count});
         return to;
     }
 
@@ -326,8 +325,8 @@ class Watcher {
         const std::uint32_t index = declared_.NewId();
         Emit(to, spv::Op::OpSelect, {uint_, index, is_within, count, most});
         const std::uint32_t twice = Result2(to, spv::Op::OpIAdd, uint_, index, index);
-        const std::uint32_t at = Result2(to, spv::Op::OpIAdd, uint_, twice,
-                                         declared_.UintConstant(place_.first + 1));
+        const std::uint32_t at =
+            Result2(to, spv::Op::OpIAdd, uint_, twice, declared_.UintConstant(place_.first + 1));
         Emit(to, spv::Op::OpStore, {PointerTo(to, at), mark});
         const std::uint32_t next = Result2(to, spv::Op::OpIAdd, uint_, at, one);
         Emit(to, spv::Op::OpStore, {PointerTo(to, next), word});
