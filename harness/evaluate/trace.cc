@@ -210,6 +210,9 @@ class Tracer {
             OperationOf<Big>(step.code)(exact_, step);
             LeadWords(step, step.size.words);
             MarkNumbers(step, kNone);
+            if (step.code == Code(spv::Op::OpBitcast)) {
+                FollowBits(step);
+            }
             return;
         }
         Record(step, source.instruction);
@@ -235,6 +238,24 @@ class Tracer {
             const std::uint32_t word = strict_.Words(step.result.words + i)[0];
             exact_.Words(step.result.words + i)[0] = word;
             origin_.Words(step.result.words + i)[0] = word;
+        }
+    }
+    // A number whose bits were taken, and then come back, is still that number: it was moved,
+    // compared or chosen among others as an integer.
+    void FollowBits(const Step& step) {
+        for (std::uint32_t i = 0; i < step.components; ++i) {
+            if (step.size.floats == 0 && step.extra != 0) {
+                const std::uint32_t from = strict_.Operand(step, 0).floats + i;
+                cast_.insert_or_assign(strict_.Words(step.result.words + i)[0],
+                                       Cast{exact_.Floats(from)[0], origin_.Floats(from)[0]});
+            } else if (step.size.floats != 0 && step.extra == 0) {
+                const std::uint32_t to = step.result.floats + i;
+                const auto cast = cast_.find(strict_.Words(strict_.Operand(step, 0).words + i)[0]);
+                if (cast != cast_.end()) {
+                    exact_.Floats(to)[0] = cast->second.exact;
+                    origin_.Floats(to)[0] = cast->second.origin;
+                }
+            }
         }
     }
     void MarkNumbers(const Step& step, std::uint32_t traced) {
@@ -388,6 +409,11 @@ class Tracer {
         bool is_watchable = false;
     };
     std::unordered_map<std::uint32_t, Source> sources_;  // by word
+    struct Cast {
+        Big exact;
+        Origin origin;
+    };
+    std::unordered_map<std::uint32_t, Cast> cast_;  // by the number's bits
     std::uint32_t spent_ = 0;
     bool is_killed_ = false;
     Trace trace_;

@@ -2,7 +2,7 @@
 //
 // The way is that of binary32: where it branches, indexes and converts to integers, the numbers
 // without rounding (128 bits) are led the same way, so that each operation has an exact value to
-// compare with.
+// compare with. A number that is moved by its bits stays what it is.
 #pragma once
 
 #include <cstdint>

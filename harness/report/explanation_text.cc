@@ -52,6 +52,13 @@ std::string UlpText(double ulp) {
     return ShortNumber(ulp) + " ulp";
 }
 
+std::string Times(double factor) {
+    if (std::isnan(factor)) {
+        return "-";
+    }
+    return ShortNumber(factor) + (std::isfinite(factor) ? "x" : "");
+}
+
 std::string VerdictText(const Record& record) {
     std::string text(VerdictName(record.verdict));
     for (const auto& [culprit, count] : record.culprits) {
@@ -90,20 +97,19 @@ std::string DevicesTable(const Explanation& explanation) {
 }
 
 // One line for each specification that the devices are held to.
-std::string AllowedTable(const Explanation& explanation) {
-    std::vector<Row> rows;
+void AddAllowed(const Explanation& explanation, std::vector<Row>& rows) {
     std::set<std::string> told;
     for (const ExplainedDevice& device : explanation.devices) {
         const Observation* seen = Seen(device.record);
         if (seen == nullptr || !seen->allowed || !told.insert(device.record.profile).second) {
             continue;
         }
-        rows.push_back({"allowed", (seen->allowed->bounded ? seen->allowed->low.decimal + " to " +
-                                                                 seen->allowed->high.decimal
-                                                           : "anything") +
-                                       (", by " + device.record.profile)});
+        const AllowedValue& allowed = *seen->allowed;
+        rows.push_back(
+            {"allowed", (allowed.bounded ? allowed.low.decimal + " to " + allowed.high.decimal
+                                         : std::string("anything: there is no bound of use here")) +
+                            ", by " + device.record.profile});
     }
-    return Aligned(rows);
 }
 
 // Places in `steps` of those that are printed, ascending.
@@ -190,7 +196,7 @@ std::string StepsTable(const Explanation& explanation, bool all) {
             }
             rows.push_back({i == 0 ? format("#{}", step.number) : "", operation,
                             value.strict.decimal, value.exact.decimal, UlpText(value.error_ulp),
-                            ShortNumber(value.amplification) + "x", Note(explanation, step, i)});
+                            Times(value.amplification), Note(explanation, step, i)});
         }
     }
     if (explanation.is_cut) {
@@ -216,8 +222,9 @@ std::string ExplanationText(const Explanation& explanation, bool all) {
     head.push_back({"exact", explanation.method.decimal + ", the program without rounding"});
     head.push_back(
         {"binary32", explanation.strict.decimal + ", each operation rounded, in source order"});
-    std::string text = Aligned(head) + AllowedTable(explanation) + "\n" +
-                       DevicesTable(explanation) + "\n" + StepsTable(explanation, all);
+    AddAllowed(explanation, head);
+    const std::string text =
+        Aligned(head) + "\n" + DevicesTable(explanation) + "\n" + StepsTable(explanation, all);
     std::vector<Row> partings;
     for (const ExplainedDevice& device : explanation.devices) {
         if (!device.parting.text.empty()) {

@@ -102,14 +102,13 @@ std::optional<evaluate::Bound> BoundAlone(const Subject& subject, const spirv::M
 
 // Whether it may yield that.
 std::string WhetherAllowed(const Subject& subject, const StrictPath& path, const SourceTerms& terms,
-                    const evaluate::Profile& profile, const TracedStep& step,
-                    const Parting& parting) {
+                           const evaluate::Profile& profile, const TracedStep& step,
+                           const Parting& parting) {
     const spirv::Module& module = path.plan->module;
     const std::string name(profile.name);
     if (parting.is_alone) {
-        return "; it was seen only where one operation at a time was watched, so that others "
-               "before "
-               "it may have parted too";
+        return "; seen only while one operation at a time is watched, so that others before it may "
+               "have parted too";
     }
     for (const Contracted& one : Contractions(path, step, parting.leaf)) {
         if (IsSameFloat(one.word, parting.word)) {
@@ -213,21 +212,18 @@ ExplainedParting PartingText(const Subject& subject, const StrictPath& path,
                              const SourceTerms& terms, const evaluate::Profile& profile,
                              const Parting& parting) {
     ExplainedParting explained;
-    const auto count = path.trace.steps.size();
     switch (parting.kind) {
         case Parting::Kind::kFailed:
             return Unwatched(parting.reason);
         case Parting::Kind::kUnseen:
             explained.text = format(
-                "parts from binary32 nowhere while it is watched: the difference vanishes in all "
-                "{} "
-                "programs that watch it",
-                parting.programs);
+                "returns something else while all its operations are watched, and where one is, "
+                "and "
+                "the result stays, yields what binary32 does: {} of {} instructions were tried",
+                parting.tried, parting.instructions);
             return explained;
         case Parting::Kind::kNowhere:
-            explained.text = count == 0
-                                 ? "there is no operation with numbers to watch"
-                                 : format("all {} operations yield what binary32 does", count);
+            explained.text = "every operation yields what binary32 does";
             return explained;
         case Parting::Kind::kWay:
             explained.happens = true;

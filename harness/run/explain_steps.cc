@@ -57,7 +57,7 @@ double LostBits(const Trace& trace, const TracedNumber& number) {
 
 // In the table ten digits tell it from binary32.
 Value ExactValue(double value) {
-    return {format("{:.10g}", value), HexFloat(value)};
+    return {std::isnan(value) ? "nan" : format("{:.10g}", value), HexFloat(value)};
 }
 
 // Lines of the user's files, read once.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cmath>
 
 #include "spirv/read.h"
@@ -10,8 +11,8 @@
 namespace etalon {
 namespace {
 
-// One program for each; the first ones on the path.
-constexpr std::size_t kMostAlone = 64;
+// For the programs that watch one instruction each.
+constexpr std::chrono::seconds kTimeAlone{10};
 constexpr std::uint32_t kMoreThanExpected = 64;
 
 // A leaf that the trace expects.
@@ -73,7 +74,6 @@ class Search {
         Program program = program_;
         program.spirv = std::move(*watched);
         program.output_words += place.Words();
-        ++programs_;
         const auto outputs = execute_(program);
         if (!outputs) {
             reason_ = outputs.error().reason;
@@ -94,7 +94,6 @@ class Search {
 
     const std::vector<Told>& told() const { return told_; }
     bool is_kept() const { return is_kept_; }
-    std::size_t programs() const { return programs_; }
     const std::string& reason() const { return reason_; }
 
   private:
@@ -106,7 +105,6 @@ class Search {
     const Execute& execute_;
     std::vector<Told> told_;
     bool is_kept_ = false;
-    std::size_t programs_ = 0;
     std::string reason_;
 };
 
@@ -144,10 +142,13 @@ Parting WatchAlone(Search& search, const std::vector<Expected>& expected) {
     }
     Parting first;
     bool any = false;
-    for (std::size_t i = 0; i < std::min(order.size(), kMostAlone); ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    std::size_t tried = 0;
+    for (; tried < order.size() && std::chrono::steady_clock::now() - start < kTimeAlone; ++tried) {
+        const std::uint32_t instruction = order[tried];
         std::vector<Expected> own;
         for (const Expected& one : expected) {
-            if (spirv::UnpackMark(one.mark).instruction == order[i]) {
+            if (spirv::UnpackMark(one.mark).instruction == instruction) {
                 own.push_back(one);
             }
         }
@@ -156,7 +157,7 @@ Parting WatchAlone(Search& search, const std::vector<Expected>& expected) {
             break;
         }
         const auto most = static_cast<std::uint32_t>(own.size()) + kMoreThanExpected;
-        if (!search.Watch(std::span(&order[i], 1), most) || !search.is_kept()) {
+        if (!search.Watch(std::span(&instruction, 1), most) || !search.is_kept()) {
             continue;
         }
         const Parting one = Compare(own, search.told());
@@ -169,6 +170,8 @@ Parting WatchAlone(Search& search, const std::vector<Expected>& expected) {
         first.kind = Parting::Kind::kUnseen;
     }
     first.is_alone = true;
+    first.tried = tried;
+    first.instructions = order.size();
     return first;
 }
 
@@ -204,16 +207,11 @@ Parting FindParting(const Program& program, const spirv::Module& traced,
     // A path that is cut is watched as far as it is known.
     const auto most =
         static_cast<std::uint32_t>(expected.size()) + (trace.is_cut ? 0 : kMoreThanExpected);
-    if (search.Watch(all, most) && search.is_kept()) {
-        parting = Compare(expected, search.told());
-    } else {
-        parting = WatchAlone(search, expected);
-        if (parting.kind == Parting::Kind::kUnseen && !search.reason().empty()) {
-            parting.kind = Parting::Kind::kFailed;
-            parting.reason = search.reason();
-        }
+    if (!search.Watch(all, most)) {
+        parting.reason = search.reason();
+        return parting;
     }
-    parting.programs = search.programs();
+    parting = search.is_kept() ? Compare(expected, search.told()) : WatchAlone(search, expected);
     return parting;
 }
 

@@ -20,16 +20,18 @@ struct Parting {
         kNowhere,    // every operation yields what the strict reading does
         kOperation,  // `word` at `leaf` of the step; all before, and so its operands, are alike
         kWay,        // the device does not do the step, but something else: it has branched
-        kUnseen,     // the device's result is another one wherever it is watched
+        kUnseen,     // the result is another one while all is watched; while one instruction is,
+                     // and the result is kept, nothing differs
         kFailed,     // it could not be watched; `reason` tells why
     };
     Kind kind = Kind::kNowhere;
     std::size_t step = 0;    // of the trace
     std::uint32_t leaf = 0;  // of the step's result, as spirv::Leaves
     std::uint32_t word = 0;
-    bool is_alone = false;     // seen only where one operation was watched at a time: what others
-                               // yielded in the same program is not known
-    std::size_t programs = 0;  // how many were run
+    bool is_alone = false;  // seen only where one operation was watched at a time: what others
+                            // yielded in the same program is not known
+    std::size_t tried = 0;  // instructions that were watched alone, of those on the path
+    std::size_t instructions = 0;
     std::string reason;
 };
 

@@ -347,7 +347,8 @@ std::string SourceTerms::Operand(const evaluate::Trace& trace, std::uint32_t val
     for (const std::uint32_t word : words) {
         parts.push_back(WordText(Scalar::kInt, word));
     }
-    return parts.size() == 1 ? parts.front() : "(" + Joined(parts) + ")";
+    return parts.size() == 1 ? parts.front()
+                             : TypeName(module_.values[value].type) + "(" + Joined(parts) + ")";
 }
 
 std::string SourceTerms::Operation(const evaluate::Trace& trace,
