@@ -96,19 +96,32 @@ std::string DevicesTable(const Explanation& explanation) {
     return Aligned(rows);
 }
 
-// One line for each specification that the devices are held to.
+// One line for each interval that a specification allows.
 void AddAllowed(const Explanation& explanation, std::vector<Row>& rows) {
-    std::set<std::string> told;
+    std::vector<std::pair<std::string, std::set<std::string>>> told;  // with the specifications
     for (const ExplainedDevice& device : explanation.devices) {
         const Observation* seen = Seen(device.record);
-        if (seen == nullptr || !seen->allowed || !told.insert(device.record.profile).second) {
+        if (seen == nullptr || !seen->allowed) {
             continue;
         }
         const AllowedValue& allowed = *seen->allowed;
-        rows.push_back(
-            {"allowed", (allowed.bounded ? allowed.low.decimal + " to " + allowed.high.decimal
-                                         : std::string("anything: there is no bound of use here")) +
-                            ", by " + device.record.profile});
+        const std::string text = allowed.bounded
+                                     ? allowed.low.decimal + " to " + allowed.high.decimal
+                                     : "anything: there is no bound of use here";
+        const auto same = std::find_if(told.begin(), told.end(),
+                                       [&](const auto& one) { return one.first == text; });
+        if (same == told.end()) {
+            told.push_back({text, {device.record.profile}});
+        } else {
+            same->second.insert(device.record.profile);
+        }
+    }
+    for (const auto& [text, profiles] : told) {
+        std::string names;
+        for (const std::string& profile : profiles) {
+            names += (names.empty() ? "" : " and ") + profile;
+        }
+        rows.push_back({"allowed", text + ", by " + names});
     }
 }
 

@@ -271,6 +271,24 @@ TEST_F(BadInput, OptionsOfARunThatAreWrong) {
     EXPECT_THAT(RunOf(kCase, {"--gtest_filter=nothing"}), StartsWith("no test was selected"));
 }
 
+TEST_F(BadInput, ExplanationsOfWhatIsNotThere) {
+    folder_.Write("cases/a/c.toml", kCase);
+    folder_.Write("cases/a/d.toml", kCase);
+    const auto explain = [&](std::vector<std::string> more) {
+        std::vector<std::string> words = {"explain", "-d", "cpu"};
+        words.insert(words.end(), more.begin(), more.end());
+        return Complaint(words);
+    };
+    EXPECT_THAT(explain({}), HasSubstr("CASE is required"));
+    EXPECT_THAT(explain({"b", "--at", "x=1"}), StartsWith("no case is called 'b'"));
+    EXPECT_THAT(explain({"a", "--at", "x=1"}), StartsWith("'a' names 2 cases, and one"));
+    EXPECT_EQ(explain({"a/c", "--at", "y=1"}), "--at: the case has no input 'y'");
+    EXPECT_EQ(explain({"a/c", "--at", "x=1", "--output", "y"}),
+              "--output: the case judges no 'y'; it judges 'result'");
+    EXPECT_THAT(explain({"a/c", "--at", "x=1", "--recipe", "fast"}),
+                StartsWith("unknown recipe 'fast'"));
+}
+
 TEST_F(BadInput, FlagThatGoogleTestDoesNotKnow) {
     EXPECT_THAT(RunOf(kCase, {"--gtest_filtr=x"}), HasSubstr("--gtest_filtr"));
 }
