@@ -106,9 +106,9 @@ std::string WhetherAllowed(const Subject& subject, const StrictPath& path, const
                            const Parting& parting) {
     const spirv::Module& module = path.plan->module;
     const std::string name(profile.name);
-    if (parting.is_alone) {
-        return "; seen only while one operation at a time is watched, so that others before it may "
-               "have parted too";
+    if (parting.is_in_parts) {
+        return "; not all operations were watched at once, so that others before it may have "
+               "parted too";
     }
     for (const Contracted& one : Contractions(path, step, parting.leaf)) {
         if (IsSameFloat(one.word, parting.word)) {
@@ -216,11 +216,12 @@ ExplainedParting PartingText(const Subject& subject, const StrictPath& path,
         case Parting::Kind::kFailed:
             return Unwatched(parting.reason);
         case Parting::Kind::kUnseen:
-            explained.text = format(
-                "returns something else while all its operations are watched, and where one is, "
-                "and "
-                "the result stays, yields what binary32 does: {} of {} instructions were tried",
-                parting.tried, parting.instructions);
+            explained.text =
+                format("{}; {} of {} instructions were watched in parts, and none is seen to part",
+                       parting.reason.empty()
+                           ? "returns something else while all operations are watched"
+                           : "all operations cannot be watched at once (" + parting.reason + ")",
+                       parting.tried, parting.instructions);
             return explained;
         case Parting::Kind::kNowhere:
             explained.text = "every operation yields what binary32 does";
@@ -228,9 +229,10 @@ ExplainedParting PartingText(const Subject& subject, const StrictPath& path,
         case Parting::Kind::kWay:
             explained.happens = true;
             explained.step = static_cast<std::uint32_t>(parting.step + 1);
-            explained.text = format(
-                "takes another way before #{}: everything until there yields what binary32 does",
-                explained.step);
+            explained.text =
+                format("takes another way before #{}: {}", explained.step,
+                       parting.is_in_parts ? "not all operations before it were watched at once"
+                                           : "everything until there yields what binary32 does");
             return explained;
         case Parting::Kind::kOperation:
             break;

@@ -11,8 +11,9 @@
 namespace etalon {
 namespace {
 
-// For the programs that watch one instruction each.
-constexpr std::chrono::seconds kTimeAlone{10};
+// For the programs that watch some instructions each; so many where all are too many.
+constexpr std::chrono::seconds kTimeForParts{10};
+constexpr std::size_t kFew = 64;
 constexpr std::uint32_t kMoreThanExpected = 64;
 
 // A leaf that the trace expects.
@@ -132,8 +133,9 @@ Parting Compare(std::span<const Expected> expected, std::span<const Told> told) 
     return parting;
 }
 
-Parting WatchAlone(Search& search, const std::vector<Expected>& expected) {
-    std::vector<std::uint32_t> order;  // of instructions, as the path meets them
+// Watches `size` instructions at a time, in the order of the path.
+Parting WatchParts(Search& search, const std::vector<Expected>& expected, std::size_t size) {
+    std::vector<std::uint32_t> order;
     for (const Expected& one : expected) {
         const std::uint32_t instruction = spirv::UnpackMark(one.mark).instruction;
         if (std::find(order.begin(), order.end(), instruction) == order.end()) {
@@ -141,35 +143,38 @@ Parting WatchAlone(Search& search, const std::vector<Expected>& expected) {
         }
     }
     Parting first;
-    bool any = false;
+    first.kind = Parting::Kind::kUnseen;
     const auto start = std::chrono::steady_clock::now();
     std::size_t tried = 0;
-    for (; tried < order.size() && std::chrono::steady_clock::now() - start < kTimeAlone; ++tried) {
-        const std::uint32_t instruction = order[tried];
+    while (tried < order.size() && std::chrono::steady_clock::now() - start < kTimeForParts) {
+        const std::size_t count = std::min(size, order.size() - tried);
+        std::vector<std::uint32_t> chosen(
+            order.begin() + static_cast<std::ptrdiff_t>(tried),
+            order.begin() + static_cast<std::ptrdiff_t>(tried + count));
+        std::sort(chosen.begin(), chosen.end());
         std::vector<Expected> own;
         for (const Expected& one : expected) {
-            if (spirv::UnpackMark(one.mark).instruction == instruction) {
+            const std::uint32_t instruction = spirv::UnpackMark(one.mark).instruction;
+            if (std::binary_search(chosen.begin(), chosen.end(), instruction)) {
                 own.push_back(one);
             }
         }
         // What comes later on the path than a difference that is known is of no interest.
-        if (any && own.front().step > first.step) {
+        if (first.kind != Parting::Kind::kUnseen && own.front().step > first.step) {
             break;
         }
+        tried += count;
         const auto most = static_cast<std::uint32_t>(own.size()) + kMoreThanExpected;
-        if (!search.Watch(std::span(&instruction, 1), most) || !search.is_kept()) {
+        if (!search.Watch(chosen, most) || !search.is_kept()) {
             continue;
         }
         const Parting one = Compare(own, search.told());
-        if (one.kind != Parting::Kind::kNowhere && (!any || one.step < first.step)) {
+        if (one.kind != Parting::Kind::kNowhere &&
+            (first.kind == Parting::Kind::kUnseen || one.step < first.step)) {
             first = one;
-            any = true;
         }
     }
-    if (!any) {
-        first.kind = Parting::Kind::kUnseen;
-    }
-    first.is_alone = true;
+    first.is_in_parts = true;
     first.tried = tried;
     first.instructions = order.size();
     return first;
@@ -208,11 +213,14 @@ Parting FindParting(const Program& program, const spirv::Module& traced,
     const auto most =
         static_cast<std::uint32_t>(expected.size()) + (trace.is_cut ? 0 : kMoreThanExpected);
     if (!search.Watch(all, most)) {
-        parting.reason = search.reason();
+        const std::string reason = search.reason();
+        if (all.size() > kFew) {
+            parting = WatchParts(search, expected, kFew);
+        }
+        parting.reason = reason;
         return parting;
     }
-    parting = search.is_kept() ? Compare(expected, search.told()) : WatchAlone(search, expected);
-    return parting;
+    return search.is_kept() ? Compare(expected, search.told()) : WatchParts(search, expected, 1);
 }
 
 }  // namespace etalon

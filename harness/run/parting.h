@@ -20,17 +20,17 @@ struct Parting {
         kNowhere,    // every operation yields what the strict reading does
         kOperation,  // `word` at `leaf` of the step; all before, and so its operands, are alike
         kWay,        // the device does not do the step, but something else: it has branched
-        kUnseen,     // the result is another one while all is watched; while one instruction is,
-                     // and the result is kept, nothing differs
+        kUnseen,     // all cannot be watched at once, or then the result is another one; watched in
+                     // parts, and the result kept, nothing differs
         kFailed,     // it could not be watched; `reason` tells why
     };
     Kind kind = Kind::kNowhere;
     std::size_t step = 0;    // of the trace
     std::uint32_t leaf = 0;  // of the step's result, as spirv::Leaves
     std::uint32_t word = 0;
-    bool is_alone = false;  // seen only where one operation was watched at a time: what others
-                            // yielded in the same program is not known
-    std::size_t tried = 0;  // instructions that were watched alone, of those on the path
+    bool is_in_parts = false;  // the instructions were watched some at a time: what the others
+                               // yielded in the same program is not known
+    std::size_t tried = 0;     // instructions that were watched alone, of those on the path
     std::size_t instructions = 0;
     std::string reason;
 };

@@ -143,11 +143,20 @@ Result<std::vector<std::uint32_t>, EvaluationFailure> Runner::RunOnce(
     std::vector<std::uint32_t> outputs;
     const std::string key = "once " + name;
     loaded_.erase(key);
-    ETALON_TRY_STEP(RunChunkTwice(
-        key, program, Rows{inputs, 1, inputs.size()}, 0, 1,
-        [&](std::uint64_t, std::uint32_t, std::span<const std::uint32_t> words) {
-            outputs.assign(words.begin(), words.end());
-        }));
+    if (!client_->alive()) {
+        ETALON_TRY_STEP(Renew(0));
+    }
+    const Outcome done =
+        RunChunk(key, program, Rows{inputs, 1, inputs.size()}, 0, 1,
+                 [&](std::uint64_t, std::uint32_t, std::span<const std::uint32_t> words) {
+                     outputs.assign(words.begin(), words.end());
+                 });
+    if (!done) {
+        if (IsWorkersEnd(done.error())) {
+            (void)Renew(0);
+        }
+        return done.error();
+    }
     return outputs;
 }
 

@@ -98,7 +98,7 @@ TEST_F(PartingTest, TheFirstOperationThatDiffersIsNamed) {
     const Parting sum = PartingOf([](Words& w) { Replace(w, spv::Op::OpFAdd, spv::Op::OpFSub); });
     EXPECT_EQ(sum.kind, Kind::kOperation);
     EXPECT_EQ(sum.step, 1u);
-    EXPECT_FALSE(sum.is_alone);
+    EXPECT_FALSE(sum.is_in_parts);
     const Parting loop = PartingOf([](Words& w) { Replace(w, spv::Op::OpFSub, spv::Op::OpFMul); });
     EXPECT_EQ(loop.kind, Kind::kOperation);
     EXPECT_EQ(loop.step, 3u);
@@ -157,7 +157,7 @@ TEST_F(PartingTest, OneAtATimeIsTriedWhereWatchingAllChangesTheResult) {
         }
     });
     EXPECT_EQ(parting.kind, Kind::kOperation);
-    EXPECT_TRUE(parting.is_alone);
+    EXPECT_TRUE(parting.is_in_parts);
     EXPECT_EQ(parting.step, 1u);
 }
 
