@@ -15,8 +15,8 @@
 //   covers            ids of what the case shows
 //   description, source, call, family, seed, with, include, define, out, recipes
 //   oracle            an expression, or one by output: { result = "...", t = "..." }
-//   accept            { exact = true } or any of ulp, absolute, relative, and flush = false; or by
-//                     output
+//   accept            { exact = true } or any of ulp, absolute, relative, and flush = false; or
+//                     { spec = "..." }, which needs no oracle; or by output
 //   [images]          by sampler's name: file or expr, size, filter, wrap, levels, cube
 //   combine, where    for all domains
 //   [domain]          inputs by name, combine, where; or several [[domain]]
@@ -164,57 +164,57 @@ class CaseReader {
     Status<> ReadExpectations() {
         const toml::node* oracle = table_.get("oracle");
         const toml::node* accept = table_.get("accept");
-        if (oracle == nullptr) {
-            return accept == nullptr ? Status<>(Ok())
-                                     : reader_.Fail(*accept, "'accept' needs an 'oracle'");
-        }
         if (accept == nullptr) {
-            return reader_.Fail(*oracle, "'accept' is missing: an oracle needs it");
+            return oracle == nullptr
+                       ? Status<>(Ok())
+                       : reader_.Fail(*oracle, "'accept' is missing: an oracle needs it");
         }
         ETALON_TRY(rules, reader_.Table(*accept, "'accept'"));
-        if (const toml::table* outputs = oracle->as_table()) {
-            if (outputs->empty()) {
+        if (oracle != nullptr && oracle->is_table()) {
+            const toml::table& outputs = *oracle->as_table();
+            if (outputs.empty()) {
                 return reader_.Fail(*oracle, "'oracle' is empty");
             }
-            for (const auto& [output, node] : TomlReader::InOrder(*outputs)) {
-                ETALON_TRY_STEP(ReadExpectation(output, *node, *rules));
+            for (const auto& [output, node] : TomlReader::InOrder(outputs)) {
+                ETALON_TRY_STEP(ReadExpectation(output, node, *rules));
             }
-        } else {
-            ETALON_TRY_STEP(ReadExpectation("result", *oracle, *rules));
+        } else if (oracle != nullptr) {
+            ETALON_TRY_STEP(ReadExpectation("result", oracle, *rules));
+        } else if (rules->contains("spec")) {
+            ETALON_TRY_STEP(ReadExpectation("result", nullptr, *rules));
         }
         for (const auto& [output, node] : TomlReader::InOrder(*rules)) {
             const bool judged = std::any_of(
                 case_.expectations.begin(), case_.expectations.end(),
                 [&output = output](const Expectation& one) { return one.output == output; });
-            if (node->is_table() && !judged) {
+            const toml::table* rule = node->as_table();
+            if (rule == nullptr || judged) {
+                continue;
+            }
+            if (!rule->contains("spec")) {
                 return reader_.Fail(*node,
                                     "'accept' for '" + output + "' needs an 'oracle' for it");
             }
+            ETALON_TRY_STEP(ReadExpectation(output, nullptr, *rules));
         }
-        return Ok();
+        return case_.expectations.empty() ? reader_.Fail(*accept, "'accept' needs an 'oracle'")
+                                          : Status<>(Ok());
     }
 
-    Status<> ReadExpectation(const std::string& output, const toml::node& node,
+    // `oracle` is null where the rule does without.
+    Status<> ReadExpectation(const std::string& output, const toml::node* oracle,
                              const toml::table& rules) {
         if (output != "result" && !case_.out.contains(output)) {
-            return reader_.Fail(node, "'oracle': there is no output '" + output +
-                                          "'; 'out' names the out parameters");
+            return reader_.Fail(oracle != nullptr ? *oracle : rules,
+                                std::string(oracle != nullptr ? "'oracle'" : "'accept'") +
+                                    ": there is no output '" + output +
+                                    "'; 'out' names the out parameters");
         }
         Expectation expectation;
         expectation.output = output;
-        ETALON_TRY(truth, reader_.Formula(node, "'oracle'"));
-        const auto bound = truth.Bind(SymbolsOf(case_.domains.front()));
-        if (!bound) {
-            return reader_.FailInside(node, bound.error());
-        }
-        expectation.truth = truth;
-        if (case_.out.contains(output)) {
-            const auto columns = ColumnsOf(output, case_.out.at(output))->size();
-            if (columns != *bound) {
-                return reader_.Fail(node, "'oracle' for '" + output + "' has " +
-                                              std::to_string(*bound) + " components, not " +
-                                              std::to_string(columns));
-            }
+        if (oracle != nullptr) {
+            ETALON_TRY(truth, ReadTruth(output, *oracle));
+            expectation.truth = std::move(truth);
         }
         const bool by_output = std::any_of(
             rules.begin(), rules.end(), [](const auto& entry) { return entry.second.is_table(); });
@@ -227,11 +227,33 @@ class CaseReader {
             ETALON_TRY(table, reader_.Table(*own, "'accept' for '" + output + "'"));
             rule = table;
         }
-        ETALON_TRY(accept, ReadAcceptance(reader_, *rule));
-        expectation.accept = accept;
         expectation.place = reader_.PlaceOf(*rule);
+        if (rule->contains("spec")) {
+            ETALON_TRY(spec, ReadSpec(reader_, *rule));
+            expectation.spec = spec;
+        } else {
+            ETALON_TRY(accept, ReadAcceptance(reader_, *rule));
+            expectation.accept = accept;
+        }
         case_.expectations.push_back(std::move(expectation));
         return Ok();
+    }
+
+    Result<Expression> ReadTruth(const std::string& output, const toml::node& node) {
+        ETALON_TRY(truth, reader_.Formula(node, "'oracle'"));
+        const auto bound = truth.Bind(SymbolsOf(case_.domains.front()));
+        if (!bound) {
+            return reader_.FailInside(node, bound.error());
+        }
+        if (case_.out.contains(output)) {
+            const auto columns = ColumnsOf(output, case_.out.at(output))->size();
+            if (columns != *bound) {
+                return reader_.Fail(node, "'oracle' for '" + output + "' has " +
+                                              std::to_string(*bound) + " components, not " +
+                                              std::to_string(columns));
+            }
+        }
+        return std::move(truth);
     }
 
     Status<> ReadLaws() {
@@ -327,7 +349,10 @@ std::string WhyBlind(const Shares& shares, const Refusable& rows) {
 Status<> CheckAcceptance(const Case& checked, const Table& table) {
     constexpr std::uint64_t kBlock = 1024;
     for (const Expectation& expectation : checked.expectations) {
-        Expression truth = expectation.truth;
+        if (!expectation.spec.empty()) {
+            continue;  // no tolerance that could be too wide
+        }
+        Expression truth = *expectation.truth;
         const std::string where = expectation.place.Text();
         if (auto bound = truth.Bind(Symbols(table.variables)); !bound) {
             return Error{where + bound.error().message};

@@ -19,10 +19,12 @@ namespace etalon {
 
 // What one output of the call (or one law) must meet.
 struct Expectation {
-    std::string output;  // "result" or the name of an out parameter
-    Expression truth;    // over the inputs, bound to the first domain's in their order
+    std::string output;               // "result" or the name of an out parameter
+    std::optional<Expression> truth;  // over the inputs, bound to the first domain's in their
+                                      // order; absent where `spec` judges without one
     Acceptance accept;
-    Place place;  // of the acceptance
+    std::string spec;  // "vulkan-1.3": what it allows is accepted, and `accept` judges nothing
+    Place place;       // of the acceptance
 };
 
 enum class Relation : std::uint8_t { kEqual, kLessEqual, kGreaterEqual, kLess, kGreater };
@@ -44,7 +46,7 @@ struct ExpectedFailure {
     std::string device;   // pattern with * and ?
     std::string recipe;   // pattern
     std::string law;      // pattern of the law's name; empty: whatever was refused
-    std::string verdict;  // "fail", "crash" or "timeout"
+    std::string verdict;  // "fail", "nonconforming", "crash" or "timeout"
     std::string status;   // "bug", "method", "unimplemented" or "undefined" (the specification
                           // leaves the value open)
     std::string cause;

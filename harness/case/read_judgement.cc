@@ -122,6 +122,17 @@ Result<Acceptance> ReadAcceptance(const TomlReader& reader, const toml::table& t
     return rule;
 }
 
+Result<std::string> ReadSpec(const TomlReader& reader, const toml::table& table) {
+    for (const auto& [key, node] : TomlReader::InOrder(table)) {
+        if (key != "spec") {
+            return reader.Fail(*node, "'spec' and '" + key +
+                                          "' contradict each other: what the specification "
+                                          "allows is accepted, no more and no less");
+        }
+    }
+    return reader.TextAt(table, "spec", std::nullopt);
+}
+
 Result<Comparison> SplitComparison(const std::string& holds) {
     constexpr std::pair<std::string_view, Relation> kRelations[] = {{"==", Relation::kEqual},
                                                                     {"<=", Relation::kLessEqual},
@@ -258,8 +269,14 @@ Result<ExpectedFailure> ReadExpectedFailure(const TomlReader& reader, const toml
         return reader.Fail(*table.get("status"),
                            "'status' must be bug, method, unimplemented or undefined");
     }
-    if (verdict != "fail" && verdict != "crash" && verdict != "timeout") {
-        return reader.Fail(*table.get("verdict"), "'verdict' must be fail, crash or timeout");
+    constexpr std::string_view kVerdicts[] = {"fail", "nonconforming", "crash", "timeout"};
+    if (std::find(std::begin(kVerdicts), std::end(kVerdicts), verdict) == std::end(kVerdicts)) {
+        return reader.Fail(*table.get("verdict"),
+                           "'verdict' must be fail, nonconforming, crash or timeout");
+    }
+    if (verdict == "nonconforming" && status != "bug") {
+        return reader.Fail(*table.get("status"),
+                           "'status' must be bug: what the specification does not allow is one");
     }
     const bool known = std::any_of(laws.begin(), laws.end(),
                                    [&law](const Law& one) { return GlobMatches(law, one.name); });

@@ -8,6 +8,9 @@ namespace etalon {
 
 Result<Acceptance> ReadAcceptance(const TomlReader& reader, const toml::table& table);
 
+// The name of the specification whose bounds are accepted: { spec = "vulkan-1.3" }, alone.
+Result<std::string> ReadSpec(const TomlReader& reader, const toml::table& table);
+
 Result<Law> ReadLaw(const TomlReader& reader, const toml::table& table);
 
 // The law's two sides, parted at the one comparison that stands outside all brackets.

@@ -3,6 +3,7 @@
 #include <pthread.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
@@ -18,10 +19,12 @@
 #include "image/read.h"
 #include "image/write.h"
 #include "report/catalogue.h"
+#include "report/explanation.h"
 #include "report/json.h"
 #include "report/text.h"
 #include "run/case_choice.h"
 #include "run/conformance.h"
+#include "run/explain.h"
 #include "run/probe.h"
 #include "worker/serve.h"
 
@@ -237,6 +240,29 @@ int Run(RunChoice choice, const std::string& root, const DeviceOptions& options,
     return catalogue == 0 && !outcome->good ? kVerdict : catalogue;
 }
 
+int ExplainCase(ExplainChoice choice, const std::string& root, const DeviceOptions& options,
+                bool json, bool all) {
+    Result<std::filesystem::path> folder = RootOf(root);
+    if (!folder) {
+        return Complain(folder.error().message);
+    }
+    choice.root = *folder;
+    Result<DeviceChoice> devices = options.Choice();
+    if (!devices) {
+        return Complain(devices.error().message);
+    }
+    choice.devices = *devices;
+    Result<Explanation> explanation = Explain(choice);
+    if (!explanation) {
+        return Complain(explanation.error().message);
+    }
+    std::cout << (json ? ExplanationJson(*explanation) : ExplanationText(*explanation, all));
+    const bool is_good =
+        std::all_of(explanation->devices.begin(), explanation->devices.end(),
+                    [](const ExplainedDevice& device) { return device.record.Good(); });
+    return is_good ? 0 : kVerdict;
+}
+
 struct BakeChoice {
     std::string kind;
     std::string heights;
@@ -330,6 +356,37 @@ int Main(std::vector<std::string> arguments) {
         ->type_name("DEPTH");
     run->add_flag("--verbose", run_choice.verbose, "a line for each test");
     devices.AddTo(*run);
+
+    CLI::App* explain = app.add_subcommand(
+        "explain",
+        "One input of a case: every device's result and whose fault its error is, then a row for "
+        "each operation of the path with its value in binary32, its exact value, the error so far "
+        "in ulp of the exact value, and the amplification: how much larger the relative error of "
+        "the result can be than those of the operands (the sum of |x df/dx| / |f| over the "
+        "operands x), and the first operation at which each device parts");
+    ExplainChoice explain_choice;
+    bool explain_json = false;
+    bool explain_all = false;
+    explain
+        ->add_option("CASE", explain_choice.pattern, "a case's path, or a pattern that names one")
+        ->required();
+    explain->add_option("--at", explain_choice.at,
+                        "the input: 'n1=1,n2=0x1.8p+0'; default: the worst that a run of the case "
+                        "on these devices finds");
+    explain
+        ->add_option("--output", explain_choice.output,
+                     "result.x, or an out parameter; default: the first that is judged")
+        ->type_name("NAME");
+    explain->add_option("--root", root, "folder that holds cases/; default: here or above")
+        ->type_name("DIR");
+    explain
+        ->add_option("--recipe", explain_choice.recipes,
+                     "recipe (plain, spirv+O, glsl+baked, ...); repeatable; default: each "
+                     "device's own")
+        ->allow_extra_args(false);
+    explain->add_flag("--all", explain_all, "print all operations of a long path");
+    explain->add_flag("--json", explain_json, "as JSON, with all operations");
+    devices.AddTo(*explain);
 
     CLI::App* probe = app.add_subcommand("probe", "Call a function now");
     ProbeChoice probe_choice;
@@ -438,6 +495,9 @@ int Main(std::vector<std::string> arguments) {
     if (*run) {
         run_choice.depth = depth == "full" ? Depth::kFull : Depth::kQuick;
         return Run(run_choice, root, devices, reports);
+    }
+    if (*explain) {
+        return ExplainCase(explain_choice, root, devices, explain_json, explain_all);
     }
     Result<DeviceChoice> choice = devices.Choice();
     if (!choice) {

@@ -355,7 +355,8 @@ Result<Signature> Inspect(const Call& call) {
 
 Result<Program, CompileFailure> Compile(const Call& call, const Signature& signature,
                                         const Recipe& recipe, Target target,
-                                        std::span<const std::vector<std::uint32_t>> baked) {
+                                        std::span<const std::vector<std::uint32_t>> baked,
+                                        Lines lines) {
     using Kind = CompileFailure::Kind;
     Program program;
     program.stage = recipe.stage;
@@ -400,6 +401,7 @@ Result<Program, CompileFailure> Compile(const Call& call, const Signature& signa
     }
     glslang::SpvOptions options;
     options.disableOptimizer = true;
+    options.generateDebugInfo = lines == Lines::kKept;
     glslang::GlslangToSpv(*linked.getIntermediate(StageOf(recipe.stage)), program.spirv, &options);
     if (recipe.precise) {
         program.spirv = ForbidContraction(program.spirv);

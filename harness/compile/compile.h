@@ -33,9 +33,13 @@ struct CompileFailure {
 // Finds the types of the call's arguments and wanted expressions.
 Result<Signature> Inspect(const Call& call);
 
+// Whether SPIR-V says for its instructions the user's files and lines.
+enum class Lines : std::uint8_t { kLeftOut, kKept };
+
 // Makes the program. `baked` holds the rows to build in and is empty unless the recipe is baked.
 Result<Program, CompileFailure> Compile(const Call& call, const Signature& signature,
                                         const Recipe& recipe, Target target,
-                                        std::span<const std::vector<std::uint32_t>> baked);
+                                        std::span<const std::vector<std::uint32_t>> baked,
+                                        Lines lines = Lines::kLeftOut);
 
 }  // namespace etalon

@@ -100,7 +100,7 @@ inline std::uint32_t DecideBits(IntervalMachine& m, std::uint32_t lane, const In
 }
 template <>
 inline void Bitcast(IntervalMachine& m, const Step& step) {
-    if (step.is_output_only) {
+    if (step.is_output_only && step.extra != 0) {
         // StoreOutput looks at the float.
         for (std::uint32_t i = 0; i < step.components; ++i) {
             std::uint32_t* result = m.Words(step.result.words + i);

@@ -2,14 +2,17 @@
 // integer.h, ...) hold a function for each instruction; run.h drives them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "evaluate/evaluate.h"
+#include "evaluate/number.h"
 #include "evaluate/plan.h"
 
 // No lane reads what another one writes. Clang finds out at run time.
@@ -120,6 +123,35 @@ struct Machine {
     const Rows<Number>* rows = nullptr;
     std::string failure;  // the first, empty for none
     [[no_unique_address]] Context<Number> context;
+
+    // Takes the plan: columns for all that it names, constants in theirs.
+    void Prepare(std::shared_ptr<const Plan> taken) {
+        plan = std::move(taken);
+        slots.resize(plan->slots);
+        floats.resize(std::size_t{plan->columns.floats} * kLanes, Ops<Number>::FromBits(0));
+        words.resize(std::size_t{plan->columns.words} * kLanes);
+        for (const Constant& constant : plan->constants) {
+            for (std::uint32_t i = 0; i < constant.floats.size(); ++i) {
+                std::fill_n(Floats(constant.place.floats + i), kLanes,
+                            Ops<Number>::FromBits(constant.floats[i]));
+            }
+            for (std::uint32_t i = 0; i < constant.words.size(); ++i) {
+                std::fill_n(Words(constant.place.words + i), kLanes, constant.words[i]);
+            }
+        }
+    }
+
+    // The next group of lanes, by their rows.
+    void Start(std::span<const std::uint32_t> rows_of_lanes) {
+        killed = Mask{};
+        spent.fill(0);
+        lanes.Set(Mask::First(static_cast<std::uint32_t>(rows_of_lanes.size())));
+        for (const std::uint32_t column : plan->row_columns) {
+            std::uint32_t* row = Words(column);
+            std::fill_n(row, 3 * kLanes, 0);
+            std::copy(rows_of_lanes.begin(), rows_of_lanes.end(), row);
+        }
+    }
 
     Number* Floats(std::uint32_t column) { return floats.data() + std::size_t{column} * kLanes; }
     std::uint32_t* Words(std::uint32_t column) {

@@ -75,6 +75,7 @@ struct Step {
                                     // translate.cc
     std::uint32_t line = kNone;     // into Module::lines
     std::uint32_t value = kNone;    // of the module: the result
+    std::uint32_t word = 0;         // Instruction::word; 0 for what stands for no instruction
     bool is_output_only = false;    // a bit cast of which nothing but outputs are made
 };
 

@@ -266,21 +266,9 @@ void Runner<N>::MovePhis(Frame<N>& frame, const Edge& edge, const Mask& mask) {
 template <typename N>
 Runner<N>::Runner(std::shared_ptr<const Plan> what, std::vector<Texture> textures, Limits most) {
     ETALON_CHECK(textures.size() >= what->images);
-    this->plan = std::move(what);
+    this->Prepare(std::move(what));
     this->images = std::move(textures);
     this->limits = most;
-    this->slots.resize(this->plan->slots);
-    this->floats.resize(std::size_t{this->plan->columns.floats} * kLanes, Ops<N>::FromBits(0));
-    this->words.resize(std::size_t{this->plan->columns.words} * kLanes);
-    for (const Constant& constant : this->plan->constants) {
-        for (std::uint32_t i = 0; i < constant.floats.size(); ++i) {
-            std::fill_n(this->Floats(constant.place.floats + i), kLanes,
-                        Ops<N>::FromBits(constant.floats[i]));
-        }
-        for (std::uint32_t i = 0; i < constant.words.size(); ++i) {
-            std::fill_n(this->Words(constant.place.words + i), kLanes, constant.words[i]);
-        }
-    }
     for (const Step& step : this->plan->steps) {
         operations.push_back(OperationOf<N>(step.code));
     }
@@ -295,14 +283,7 @@ Runner<N>::Runner(std::shared_ptr<const Plan> what, std::vector<Texture> texture
 
 template <typename N>
 void Runner<N>::RunLanes(std::span<const std::uint32_t> rows_of_lanes) {
-    this->killed = Mask{};
-    this->spent.fill(0);
-    this->lanes.Set(Mask::First(static_cast<std::uint32_t>(rows_of_lanes.size())));
-    for (const std::uint32_t column : this->plan->row_columns) {
-        std::uint32_t* row = this->Words(column);
-        std::fill_n(row, 3 * kLanes, 0);
-        std::copy(rows_of_lanes.begin(), rows_of_lanes.end(), row);
-    }
+    this->Start(rows_of_lanes);
     for (std::size_t i = 0; i < this->plan->globals.size(); ++i) {
         global_operations[i](*this, this->plan->globals[i]);
     }

@@ -233,6 +233,7 @@ Step Translator::MakeStep(std::uint32_t code, const Instruction& instruction) {
     step.code = code;
     step.line = instruction.line;
     step.value = instruction.result;
+    step.word = instruction.word;
     step.first_operand = static_cast<std::uint32_t>(plan_->operands.size());
     step.first_literal = static_cast<std::uint32_t>(plan_->literals.size());
     if (instruction.result != kNone) {

@@ -99,6 +99,22 @@ void TallyColumn(const Acceptance& rule, Scalar scalar, std::span<const std::uin
     }
 }
 
+bool Holds(Relation relation, double left, double right) {
+    switch (relation) {
+        case Relation::kEqual:
+            return left == right;
+        case Relation::kLessEqual:
+            return left <= right;
+        case Relation::kGreaterEqual:
+            return left >= right;
+        case Relation::kLess:
+            return left < right;
+        case Relation::kGreater:
+            return left > right;
+    }
+    return false;
+}
+
 Judgement JudgeLaw(const Law& law, Scalar scalar, std::uint32_t left, std::uint32_t right) {
     const double a = WordValue(scalar, left);
     const double b = WordValue(scalar, right);
@@ -107,25 +123,7 @@ Judgement JudgeLaw(const Law& law, Scalar scalar, std::uint32_t left, std::uint3
         broken.error = broken.ulp_error = broken.used = std::numeric_limits<double>::infinity();
         return broken;
     }
-    bool holds = false;
-    switch (law.relation) {
-        case Relation::kEqual:
-            holds = a == b;
-            break;
-        case Relation::kLessEqual:
-            holds = a <= b;
-            break;
-        case Relation::kGreaterEqual:
-            holds = a >= b;
-            break;
-        case Relation::kLess:
-            holds = a < b;
-            break;
-        case Relation::kGreater:
-            holds = a > b;
-            break;
-    }
-    if (holds) {
+    if (Holds(law.relation, a, b)) {
         return Judgement{.accepted = true};
     }
     if (scalar != Scalar::kFloat) {

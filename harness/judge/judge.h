@@ -39,6 +39,9 @@ void TallyColumn(const Acceptance& rule, Scalar scalar, std::span<const std::uin
 Judgement JudgeValue(const Acceptance& rule, Scalar scalar, std::uint32_t word, const Truth& truth,
                      std::uint64_t row);
 
+// The relation itself, without tolerance; false for a NaN.
+bool Holds(Relation relation, double left, double right);
+
 // Judges `left relation right`. A NaN on either side breaks every law.
 Judgement JudgeLaw(const Law& law, Scalar scalar, std::uint32_t left, std::uint32_t right);
 

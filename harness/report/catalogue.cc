@@ -144,6 +144,7 @@ struct Worst {
     std::optional<double> wrong;   // share
     bool exact = false;
     bool laws = false;
+    bool conforms = false;
     bool fails = false;
     bool known = false;
 
@@ -192,6 +193,9 @@ struct Worst {
         if (parts.empty() && laws) {
             parts.emplace_back("laws hold");
         }
+        if (parts.empty() && conforms) {
+            parts.emplace_back("within the specification");
+        }
         if (known) {
             parts.emplace_back("known failure");
         }
@@ -207,6 +211,10 @@ struct Worst {
             laws = true;
             return;
         }
+        if (worst.rule.starts_with("spec ")) {
+            conforms = true;
+            return;
+        }
         const auto by_ulp = Granted(worst.rule, "ulp");
         const auto by_absolute = Granted(worst.rule, "absolute");
         const auto by_relative = Granted(worst.rule, "relative");
@@ -215,7 +223,7 @@ struct Worst {
         } else if (by_absolute && (worst.error <= *by_absolute || !by_relative)) {
             Raise(absolute, worst.error);
         } else if (by_relative) {
-            const double expected = std::strtod(worst.expected.decimal.c_str(), nullptr);
+            const double expected = std::strtod(worst.expected->decimal.c_str(), nullptr);
             Raise(relative, worst.error == 0 ? 0 : worst.error / std::fabs(expected));
         } else {
             exact = true;

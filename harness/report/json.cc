@@ -1,26 +1,11 @@
 #include "report/json.h"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include "report/json_value.h"
 
 namespace etalon {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json Number(double value) {
-    if (std::isnan(value)) {
-        return "nan";
-    }
-    if (std::isinf(value)) {
-        return value > 0 ? "inf" : "-inf";
-    }
-    return value;
-}
-
-ordered_json ValueJson(const Value& value) {
-    return {{"decimal", value.decimal}, {"hex", value.hex}};
-}
 
 ordered_json DeviceJson(const DeviceInfo& device) {
     return {{"name", device.name},
@@ -35,19 +20,63 @@ ordered_json DeviceJson(const DeviceInfo& device) {
             {"fingerprint", Fingerprint(device)}};
 }
 
-ordered_json ObservationJson(const Observation& observation) {
-    ordered_json inputs = ordered_json::object();
-    for (const auto& [name, value] : observation.inputs) {
-        inputs[name] = ValueJson(value);
+ordered_json InputsJson(const std::vector<std::pair<std::string, Value>>& inputs) {
+    ordered_json json = ordered_json::object();
+    for (const auto& [name, value] : inputs) {
+        json[name] = ValueJson(value);
     }
-    return {{"output", observation.output},
-            {"rule", observation.rule},
-            {"inputs", inputs},
-            {"actual", ValueJson(observation.actual)},
-            {"expected", ValueJson(observation.expected)},
-            {"error", Number(observation.error)},
-            {"ulp_error", Number(observation.ulp_error)},
-            {"used", Number(observation.used)}};
+    return json;
+}
+
+ordered_json PartJson(const PartSeen& part) {
+    return {{"ulp", NumberJson(part.ulp)}, {"absolute", NumberJson(part.absolute)}};
+}
+
+ordered_json BudgetJson(const Budget& budget) {
+    ordered_json json = {{"culprit", budget.culprit}, {"law", budget.is_law}};
+    json["method"] = budget.method ? PartJson(*budget.method) : ordered_json(nullptr);
+    json["rounding"] = PartJson(budget.rounding);
+    json["driver"] = PartJson(budget.driver);
+    return json;
+}
+
+ordered_json AllowedJson(const AllowedValue& allowed) {
+    if (!allowed.bounded) {
+        return "unbounded";
+    }
+    return {{"low", ValueJson(allowed.low)},
+            {"high", ValueJson(allowed.high)},
+            {"excess_ulp", NumberJson(allowed.excess)}};
+}
+
+ordered_json ObservationJson(const Observation& observation) {
+    ordered_json json = {{"output", observation.output},
+                         {"rule", observation.rule},
+                         {"inputs", InputsJson(observation.inputs)},
+                         {"actual", ValueJson(observation.actual)},
+                         {"expected", observation.expected ? ValueJson(*observation.expected)
+                                                           : ordered_json(nullptr)},
+                         {"error", NumberJson(observation.error)},
+                         {"ulp_error", NumberJson(observation.ulp_error)},
+                         {"used", NumberJson(observation.used)}};
+    if (observation.budget) {
+        json["budget"] = BudgetJson(*observation.budget);
+    }
+    if (observation.allowed) {
+        json["allowed"] = AllowedJson(*observation.allowed);
+    }
+    return json;
+}
+
+// What the record was held to, and what its errors are made of.
+ordered_json SpecificationJson(const Record& record) {
+    ordered_json json = {{"profile", record.profile},  {"unevaluated", record.unevaluated},
+                         {"held", record.held},        {"unbounded", record.unbounded},
+                         {"outside", record.outside},  {"outside_in", record.outside_in},
+                         {"unjudged", record.unjudged}};
+    json["worst_outside"] =
+        record.worst_outside ? ObservationJson(*record.worst_outside) : ordered_json(nullptr);
+    return json;
 }
 
 ordered_json ShareJson(const ShareCount& count) {
@@ -60,10 +89,12 @@ ordered_json ShareJson(const ShareCount& count) {
         json["hits"] = count.hits;
         json["missed"] = count.missed;
         json["missed_allowed"] = count.missed_allowed;
-        json["worst_right"] = Number(count.worst_right);
+        json["worst_right"] = NumberJson(count.worst_right);
     }
     return json;
 }
+
+}  // namespace
 
 ordered_json RecordJson(const Record& record) {
     ordered_json json = {{"case", record.case_path},
@@ -82,7 +113,7 @@ ordered_json RecordJson(const Record& record) {
                          {"repeat", record.repeat},
                          {"known_cause", record.known_cause},
                          {"flake", record.flake},
-                         {"seconds", Number(record.seconds)}};
+                         {"seconds", NumberJson(record.seconds)}};
     json["figures"] = ordered_json::array();
     for (const FigureSeen& figure : record.figures) {
         json["figures"].push_back(
@@ -94,23 +125,28 @@ ordered_json RecordJson(const Record& record) {
             json["shares"].push_back(ShareJson(count));
         }
     }
+    json["specification"] =
+        record.profile.empty() ? ordered_json(nullptr) : SpecificationJson(record);
+    json["culprits"] = ordered_json::object();
+    for (const auto& [culprit, values] : record.culprits) {
+        json["culprits"][culprit] = values;
+    }
+    json["worst_parts"] = ordered_json::object();
+    for (const WorstPart& worst : record.parts) {
+        json["worst_parts"][worst.part] = PartJson(worst.seen);
+        json["worst_parts"][worst.part]["output"] = worst.output;
+        json["worst_parts"][worst.part]["inputs"] = InputsJson(worst.inputs);
+    }
     json["worst"] = record.worst ? ObservationJson(*record.worst) : ordered_json(nullptr);
     return json;
 }
-
-// Paths and drivers' words may hold bytes that are not UTF-8; they are replaced, not thrown over.
-std::string Dump(const ordered_json& json) {
-    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-}
-
-}  // namespace
 
 std::string DevicesJson(const RunRecord& run) {
     ordered_json devices = ordered_json::array();
     for (const DeviceInfo& device : run.devices) {
         devices.push_back(DeviceJson(device));
     }
-    return Dump(devices);
+    return DumpJson(devices);
 }
 
 std::string RunJson(const RunRecord& run) {
@@ -126,7 +162,7 @@ std::string RunJson(const RunRecord& run) {
     for (const Record& record : run.records) {
         json["records"].push_back(RecordJson(record));
     }
-    return Dump(json);
+    return DumpJson(json);
 }
 
 }  // namespace etalon

@@ -12,6 +12,8 @@ std::string_view VerdictName(Verdict verdict) {
             return "pass";
         case Verdict::kFail:
             return "fail";
+        case Verdict::kNonconforming:
+            return "nonconforming";
         case Verdict::kSkip:
             return "skip";
         case Verdict::kCrash:

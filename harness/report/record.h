@@ -11,7 +11,14 @@
 
 namespace etalon {
 
-enum class Verdict : std::uint8_t { kPass, kFail, kSkip, kCrash, kTimeout };
+enum class Verdict : std::uint8_t {
+    kPass,
+    kFail,
+    kNonconforming,  // all is within the case's tolerances, but not within the specification
+    kSkip,
+    kCrash,
+    kTimeout,
+};
 std::string_view VerdictName(Verdict verdict);
 
 // One number as people and programs read it.
@@ -20,16 +27,48 @@ struct Value {
     std::string hex;  // hexadecimal float; for other types the decimal again
 };
 
+// What a specification allows as one value.
+struct AllowedValue {
+    bool bounded = false;  // where it is not, low and high have no meaning
+    Value low;
+    Value high;
+    double excess = 0;  // ulp by which the result lies outside
+};
+
+struct PartSeen {
+    double absolute = 0;
+    double ulp = 0;
+};
+
+// How the error of one value came about (judge/budget.h).
+struct Budget {
+    std::string culprit;             // "rounding"; empty of a value that nobody is blamed for
+    bool is_law = false;             // the parts are by how much M, R and D break the law
+    std::optional<PartSeen> method;  // absent where there is no truth
+    PartSeen rounding;
+    PartSeen driver;
+};
+
+// The worst of one part among all values of a record.
+struct WorstPart {
+    std::string part;  // "method", "rounding", "driver"
+    std::string output;
+    std::vector<std::pair<std::string, Value>> inputs;
+    PartSeen seen;
+};
+
 // One judged value: where it stood, what came, what was due, how far apart.
 struct Observation {
     std::string output;  // "result.x", or a law's text
     std::string rule;    // "ulp 16 or absolute 1e-09"
     std::vector<std::pair<std::string, Value>> inputs;
     Value actual;
-    Value expected;
+    std::optional<Value> expected;  // absent where there is no oracle
     double error = 0;
     double ulp_error = 0;
     double used = 0;  // share of the tolerance that the error used; its complement is the margin
+    std::optional<Budget> budget;         // absent where the program cannot be evaluated
+    std::optional<AllowedValue> allowed;  // by the record's profile; absent likewise
 };
 
 // The figure of an expected failure, and what was seen in its place.
@@ -67,15 +106,33 @@ struct Record {
     std::uint64_t all_rows = 0;  // of the case, where a quick run has left out some
     std::uint64_t judged = 0;    // values
     std::uint64_t refused = 0;
-    std::vector<std::string> failed;   // outputs and laws with refused values
+    std::vector<std::string> failed;   // outputs and laws with refused values; of a nonconforming
+                                       // record, with values outside
     std::vector<ShareCount> shares;    // one for each output that is judged by shares
     std::optional<Observation> worst;  // by share of the tolerance; absent where nothing was judged
-    std::string repeat;                // the command that repeats exactly the worst input
-    std::string known_cause;           // of an expected failure that happened
-    std::vector<FigureSeen> figures;   // of the expected failures that have one
-    std::string flake;                 // what went wrong once and not again
+    std::string profile;               // the specification that the device is held to
+    std::uint64_t held = 0;            // values that were held to it
+    std::uint64_t unbounded = 0;       // of these, where it allows everything
+    std::uint64_t outside = 0;         // of these, which it does not allow
+    std::vector<std::string> outside_in;  // outputs and laws that hold them
+    std::uint64_t unjudged = 0;           // values that `accept = { spec = ... }` has no bound for
+    std::optional<Observation> worst_outside;  // the one that lies furthest outside
+    std::vector<WorstPart> parts;              // the greatest method, rounding and driver part
+    std::vector<std::pair<std::string, std::uint64_t>> culprits;  // of the refused values
+    std::string unevaluated;          // why there are no parts or bounds, where there are none
+    std::string repeat;               // the command that repeats exactly the worst input
+    std::string known_cause;          // of an expected failure that happened
+    std::vector<FigureSeen> figures;  // of the expected failures that have one
+    std::string flake;                // what went wrong once and not again
     double seconds = 0;
 
+    // The value that the verdict is about; null where it is about none.
+    const Observation* Shown() const {
+        if (verdict == Verdict::kNonconforming) {
+            return &*worst_outside;
+        }
+        return worst && refused > 0 ? &*worst : nullptr;
+    }
     bool Good() const {
         return verdict == Verdict::kPass || verdict == Verdict::kSkip || !known_cause.empty();
     }

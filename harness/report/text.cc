@@ -72,6 +72,109 @@ std::string ShareText(const ShareCount& count) {
     return text;
 }
 
+namespace {
+
+std::string RowsText(const Record& record) {
+    return format("{}{} rows, seed {}", record.rows,
+                  record.rows < record.all_rows ? format(" of {}", record.all_rows) : "",
+                  record.seed);
+}
+
+std::string PlaceText(const Observation& observation) {
+    return format("\n  input     {}\n            {}\n  output    {}\n  actual    {} = {}",
+                  InputText(observation, false), InputText(observation, true), observation.output,
+                  observation.actual.decimal, observation.actual.hex);
+}
+
+std::string AllowedText(const AllowedValue& allowed) {
+    if (!allowed.bounded) {
+        return "anything";
+    }
+    const std::string low = allowed.low.decimal + " = " + allowed.low.hex;
+    return allowed.low.hex == allowed.high.hex
+               ? low
+               : low + " to " + allowed.high.decimal + " = " + allowed.high.hex;
+}
+
+std::string RefusedText(const Record& record, const Observation& worst) {
+    std::string text = format("\n  refused   {} of {} values ({}); the worst:", record.refused,
+                              record.judged, RowsText(record)) +
+                       PlaceText(worst);
+    if (worst.expected) {
+        text += "\n  expected  " + worst.expected->decimal + " = " + worst.expected->hex;
+    }
+    if (worst.allowed && worst.rule.starts_with("spec ")) {
+        text += format("\n  allowed   {}\n  error     {} ulp outside", AllowedText(*worst.allowed),
+                       ShortNumber(worst.allowed->excess));
+    } else {
+        text +=
+            format("\n  error     {} ulp, {} absolute, {} times the tolerance",
+                   ShortNumber(worst.ulp_error), ShortNumber(worst.error), ShortNumber(worst.used));
+    }
+    return text + "\n  rule      " + worst.rule;
+}
+
+std::string OutsideText(const Record& record, const Observation& worst) {
+    std::string text =
+        format("\n  outside   {} of {} values ({}) are not what {} allows; the furthest:",
+               record.outside, record.held, RowsText(record), record.profile) +
+        PlaceText(worst);
+    if (worst.expected) {
+        text += "\n  expected  " + worst.expected->decimal + " = " + worst.expected->hex;
+    }
+    return text + format("\n  allowed   {}\n  error     {} ulp outside",
+                         AllowedText(*worst.allowed), ShortNumber(worst.allowed->excess));
+}
+
+std::string BlameText(const Record& record, const Observation& shown) {
+    if (!shown.budget) {
+        return record.unevaluated.empty() ? "" : "\n  culprit   not known: " + record.unevaluated;
+    }
+    const Budget& budget = *shown.budget;
+    std::string text = "\n  culprit   " + budget.culprit;
+    if (record.culprits.size() > 1) {
+        std::string counts;
+        for (const auto& [culprit, values] : record.culprits) {
+            counts += format("{}{} {}", counts.empty() ? "" : "; ", culprit, values);
+        }
+        text += " (of all that was refused: " + counts + ")";
+    }
+    text += "\n  parts     " + BudgetText(budget);
+    if (record.outside > 0 && record.verdict != Verdict::kNonconforming) {
+        text += format("\n  outside   {} of {} values are not what {} allows", record.outside,
+                       record.held, record.profile);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string BudgetText(const Budget& budget) {
+    std::string text;
+    const auto add = [&](const char* reading, const char* part, const PartSeen& seen) {
+        const std::string error = ShortNumber(seen.ulp) + " ulp";
+        const bool holds = seen.absolute == 0 && seen.ulp == 0;
+        text += text.empty() ? "" : ", ";
+        text += budget.is_law ? reading + (holds ? " holds" : " breaks it by " + error)
+                              : part + (" " + error);
+    };
+    if (budget.method) {
+        add("method", "method", *budget.method);
+    }
+    add("strict evaluation", "rounding", budget.rounding);
+    add("device", "driver", budget.driver);
+    return text;
+}
+
+std::string PartsText(const Record& record) {
+    std::string text;
+    for (const WorstPart& worst : record.parts) {
+        text += format("{}{} {} ulp", text.empty() ? "parts at most " : ", ", worst.part,
+                       ShortNumber(worst.seen.ulp));
+    }
+    return text;
+}
+
 std::string FailureText(const Record& record) {
     std::string text = format("{} on {} ({}): {}", record.case_path, record.device, record.recipe,
                               VerdictName(record.verdict));
@@ -81,19 +184,10 @@ std::string FailureText(const Record& record) {
     for (const ShareCount& count : record.shares) {
         text += "\n  shares    " + ShareText(count);
     }
-    if (record.worst && record.refused > 0) {
-        const Observation& worst = *record.worst;
-        text += format(
-            "\n  refused   {} of {} values ({}{} rows, seed {}); the worst:"
-            "\n  input     {}\n            {}"
-            "\n  output    {}\n  actual    {} = {}\n  expected  {} = {}"
-            "\n  error     {} ulp, {} absolute, {} times the tolerance\n  rule      {}",
-            record.refused, record.judged, record.rows,
-            record.rows < record.all_rows ? format(" of {}", record.all_rows) : "", record.seed,
-            InputText(worst, false), InputText(worst, true), worst.output, worst.actual.decimal,
-            worst.actual.hex, worst.expected.decimal, worst.expected.hex,
-            ShortNumber(worst.ulp_error), ShortNumber(worst.error), ShortNumber(worst.used),
-            worst.rule);
+    if (const Observation* shown = record.Shown()) {
+        text += record.verdict == Verdict::kNonconforming ? OutsideText(record, *shown)
+                                                          : RefusedText(record, *shown);
+        text += BlameText(record, *shown);
     }
     if (!record.known_cause.empty()) {
         text += "\n  known     " + record.known_cause;
@@ -104,14 +198,27 @@ std::string FailureText(const Record& record) {
 
 std::string SummaryText(const RunRecord& run) {
     struct Count {
-        int pass = 0, fail = 0, known = 0, skip = 0, crash = 0, timeout = 0;
+        int pass = 0, fail = 0, nonconforming = 0, known = 0, skip = 0, crash = 0, timeout = 0;
         const Record* tightest = nullptr;
     };
     std::map<std::string, Count> by_device;
     std::map<std::string, int> reasons;
     std::map<std::string, int> causes;
+    std::map<std::string, int> unevaluated;
+    struct Held {
+        std::uint64_t values = 0, unbounded = 0, outside = 0;
+    };
+    std::map<std::string, Held> held_to;
     std::string flakes;
     for (const Record& record : run.records) {
+        if (!record.unevaluated.empty()) {
+            ++unevaluated[record.unevaluated];
+        } else if (record.held > 0) {
+            Held& held = held_to[record.profile];
+            held.values += record.held;
+            held.unbounded += record.unbounded;
+            held.outside += record.outside;
+        }
         Count& count = by_device[record.device];
         switch (record.verdict) {
             case Verdict::kPass:
@@ -126,6 +233,7 @@ std::string SummaryText(const RunRecord& run) {
                 ++reasons[record.reason];
                 break;
             case Verdict::kFail:
+            case Verdict::kNonconforming:
             case Verdict::kCrash:
             case Verdict::kTimeout:
                 if (!record.known_cause.empty()) {
@@ -133,6 +241,8 @@ std::string SummaryText(const RunRecord& run) {
                     ++causes[record.known_cause];
                 } else if (record.verdict == Verdict::kFail) {
                     ++count.fail;
+                } else if (record.verdict == Verdict::kNonconforming) {
+                    ++count.nonconforming;
                 } else if (record.verdict == Verdict::kCrash) {
                     ++count.crash;
                 } else {
@@ -145,8 +255,9 @@ std::string SummaryText(const RunRecord& run) {
                              record.recipe, record.flake);
         }
     }
-    std::string text = format("{:<28} {:>5} {:>5} {:>5} {:>5} {:>5} {:>7}  {}\n", "device", "pass",
-                              "fail", "known", "skip", "crash", "timeout", "least margin");
+    std::string text =
+        format("{:<28} {:>5} {:>5} {:>13} {:>5} {:>5} {:>5} {:>7}  {}\n", "device", "pass", "fail",
+               "nonconforming", "known", "skip", "crash", "timeout", "least margin");
     for (const DeviceInfo& info : run.devices) {
         const std::string& device = info.name;
         const Count& count = by_device[device];
@@ -155,8 +266,16 @@ std::string SummaryText(const RunRecord& run) {
             margin = format("{:.1f} %  {} ({})", 100 * (1 - count.tightest->worst->used),
                             count.tightest->case_path, count.tightest->recipe);
         }
-        text += format("{:<28} {:>5} {:>5} {:>5} {:>5} {:>5} {:>7}  {}\n", device, count.pass,
-                       count.fail, count.known, count.skip, count.crash, count.timeout, margin);
+        text += format("{:<28} {:>5} {:>5} {:>13} {:>5} {:>5} {:>5} {:>7}  {}\n", device,
+                       count.pass, count.fail, count.nonconforming, count.known, count.skip,
+                       count.crash, count.timeout, margin);
+    }
+    for (const auto& [profile, held] : held_to) {
+        text += format("held to {}: {} values, {} unbounded, {} outside\n", profile, held.values,
+                       held.unbounded, held.outside);
+    }
+    for (const auto& [reason, times] : unevaluated) {
+        text += format("not evaluated, {} times: {}\n", times, reason);
     }
     for (const auto& [cause, times] : causes) {
         text += format("known failure, {} times: {}\n", times, cause);

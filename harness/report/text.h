@@ -7,12 +7,19 @@
 
 namespace etalon {
 
-// Case, device, recipe, input, both values in decimal and hexadecimal, error, rule, and the command
-// that repeats it.
+// Case, device, recipe, input, both values in decimal and hexadecimal, error, rule, whose fault it
+// is, and the command that repeats it.
 std::string FailureText(const Record& record);
 
 // "figure absolute 2.57115 within 0.01, saw 2.571149"; empty for a record without figures.
 std::string FiguresText(const Record& record);
+
+// "method 0 ulp, rounding 3.2 ulp, driver 0.5 ulp"; of a law "method holds, strict evaluation
+// breaks it by 2 ulp, device breaks it by 3 ulp".
+std::string BudgetText(const Budget& budget);
+
+// "parts at most method 0.2 ulp, rounding 3.2 ulp"; empty where all are 0 or not known.
+std::string PartsText(const Record& record);
 
 // "result.x: 3.2 ulp (20 % of the tolerance) at n1=1, cos_i=0.5".
 std::string WorstText(const Observation& observation);
@@ -21,8 +28,8 @@ std::string WorstText(const Observation& observation);
 // right hit off by 0.013, undecided 2".
 std::string ShareText(const ShareCount& count);
 
-// The table at the end of a run: verdicts by device, the worst margins, skips and known failures
-// with their causes.
+// The table at the end of a run: verdicts by device, the worst margins, how many values were held
+// to which specification, what could not be evaluated, skips and known failures with their causes.
 std::string SummaryText(const RunRecord& run);
 
 // The `count` cases that took longest: seconds over all devices and recipes and the preparation,

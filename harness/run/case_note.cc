@@ -206,7 +206,9 @@ CaseNote NoteOf(const Case& source) {
     }
     note.functions = search.found();
     for (const Expectation& expectation : source.expectations) {
-        note.oracles.push_back(expectation.truth.text());
+        if (expectation.truth) {
+            note.oracles.push_back(expectation.truth->text());
+        }
     }
     note.laws = source.laws.size();
     return note;

@@ -7,28 +7,12 @@
 
 #include "base/check.h"
 #include "base/file.h"
+#include "run/blame.h"
 #include "run/expected_failure.h"
+#include "run/observe.h"
 
 namespace etalon {
 namespace {
-
-Value ValueOf(Scalar scalar, std::uint32_t word) {
-    const std::string decimal = WordText(scalar, word);
-    return {decimal, scalar == Scalar::kFloat ? HexFloat(std::bit_cast<float>(word)) : decimal};
-}
-
-std::vector<std::pair<std::string, Value>> InputsAt(const Table& table, std::uint64_t row) {
-    std::vector<std::pair<std::string, Value>> inputs;
-    for (std::size_t c = 0; c < table.columns.size(); ++c) {
-        const Scalar scalar = table.columns[c].scalar;
-        const std::uint32_t word = table.At(row, c);
-        const bool is_nan = scalar == Scalar::kFloat && std::isnan(std::bit_cast<float>(word));
-        const std::string exact = ExactText(scalar, word);
-        inputs.emplace_back(table.columns[c].name,
-                            is_nan ? Value{exact, exact} : ValueOf(scalar, word));
-    }
-    return inputs;
-}
 
 // The results of one evaluation, by columns over all rows.
 class Gathered {
@@ -58,7 +42,8 @@ class Collector {
     Collector(const PreparedCase& prepared, Record& record)
         : prepared_(prepared), record_(record) {}
 
-    // `observe(row)` makes the observation of a row; it is asked only for the worst one.
+    // `observe(row, is_refused)` makes the observation of a row; it is asked only for the worst
+    // one.
     template <typename Observe>
     void Add(const std::string& what, const Summary& summary, Observe observe) {
         record_.judged += summary.judged;
@@ -70,7 +55,7 @@ class Collector {
         if (summary.judged > 0) {
             const std::uint64_t row =
                 summary.worst_used_at == Summary::kNone ? 0 : summary.worst_used_at;
-            thing.worst = observe(row);
+            thing.worst = observe(row, summary.refused > 0);
             thing.worst->used = summary.worst_used;
             thing.worst->inputs = InputsAt(prepared_.table, row);
             if (!record_.worst || summary.worst_used > record_.worst->used) {
@@ -111,21 +96,6 @@ Rows RowsOfTable(const Table& table) {
     return {table.words, table.rows, table.columns.size()};
 }
 
-Observation ObserveOutput(const JudgedColumn& column, std::uint32_t word, std::uint64_t row) {
-    const Judgement judgement = JudgeValue(column.accept, column.scalar, word, column.truth, row);
-    Observation observation;
-    observation.output = column.name;
-    const bool tells = column.scalar == Scalar::kFloat || column.accept.shares;
-    observation.rule = tells ? column.accept.Text() : "equal";
-    observation.actual = ValueOf(column.scalar, word);
-    const double truth = column.truth.values[row];
-    observation.expected = {Shortest(truth), HexFloat(truth)};
-    observation.error = judgement.error;
-    observation.ulp_error = judgement.ulp_error;
-    observation.used = judgement.used;
-    return observation;
-}
-
 ShareCount CountOf(const JudgedColumn& column, const Tally& tally) {
     const Shares& shares = *column.accept.shares;
     ShareCount count;
@@ -140,26 +110,6 @@ ShareCount CountOf(const JudgedColumn& column, const Tally& tally) {
     count.worst_right = tally.worst_right_error;
     count.undecided = tally.undecided;
     return count;
-}
-
-std::string LawLabel(const Law& law) {
-    return "law '" + law.name + "'";
-}
-
-std::string RelationText(const Law& law) {
-    switch (law.relation) {
-        case Relation::kEqual:
-            return "==";
-        case Relation::kLessEqual:
-            return "<=";
-        case Relation::kGreaterEqual:
-            return ">=";
-        case Relation::kLess:
-            return "<";
-        case Relation::kGreater:
-            return ">";
-    }
-    return "";
 }
 
 // Evaluates a call at all rows; where that fails, the record says why and nothing is returned.
@@ -179,38 +129,99 @@ std::optional<Gathered> Evaluate(const Call& call, const Signature& signature, c
     return results;
 }
 
-// The call's outputs against their oracles. False where there was no result to judge.
-bool JudgeOutputs(const PreparedCase& prepared, Runner& runner, const Recipe& recipe,
-                  Collector& collector, Record& record) {
+// What judges the results of one device by one recipe.
+struct Bench {
+    Runner& runner;
+    const Recipe& recipe;
+    Evaluations& evaluations;
+    Collector& collector;
+    Record& record;
+
+    Evaluation& EvaluationOf(const Call& call, const Signature& signature,
+                             const Table& table) const {
+        return evaluations.Of(call, signature, recipe, RowsOfTable(table));
+    }
+};
+
+// By what a specification allows. Values without a bound are counted and not judged.
+void JudgeSpec(const JudgedColumn& column, std::span<const std::uint32_t> words, const Bench& bench,
+               Evaluation& evaluation, Blame& blame) {
+    const Result<std::vector<Allowed>>& bounds = evaluation.Bounds(*column.spec);
+    if (!bounds) {
+        bench.record.unjudged += words.size();
+        return;
+    }
+    const auto allowed = std::span(*bounds).subspan(column.column * words.size(), words.size());
+    Summary summary;
+    std::uint64_t first = Summary::kNone;
+    for (std::uint64_t row = 0; row < words.size(); ++row) {
+        if (allowed[row].kind == Allowed::Kind::kUnbounded) {
+            ++bench.record.unjudged;
+            continue;
+        }
+        first = std::min(first, row);
+        summary.Add(row, JudgeAllowed(allowed[row], words[row]));
+    }
+    if (summary.worst_used_at == Summary::kNone) {
+        summary.worst_used_at = first;
+    }
+    blame.AddColumn(column, words, summary.refused);
+    bench.collector.Add(column.name, summary, [&](std::uint64_t row, bool is_refused) {
+        Observation observation =
+            ObserveAllowed(column, allowed[row], column.spec->name, words[row], row);
+        blame.Explain(column, words[row], row, is_refused, observation);
+        return observation;
+    });
+}
+
+void JudgeByTruth(const JudgedColumn& column, std::span<const std::uint32_t> words,
+                  const Bench& bench, Blame& blame) {
+    Summary summary;
+    if (column.accept.shares) {
+        Tally tally;
+        TallyColumn(column.accept, column.scalar, words, column.truth, 0, tally);
+        summary = tally.Settle(*column.accept.shares);
+        bench.record.shares.push_back(CountOf(column, tally));
+    } else {
+        JudgeColumn(column.accept, column.scalar, words, column.truth, 0, summary);
+    }
+    blame.AddColumn(column, words, summary.refused);
+    bench.collector.Add(column.name, summary, [&](std::uint64_t row, bool is_refused) {
+        Observation observation = ObserveOutput(column, words[row], row);
+        blame.Explain(column, words[row], row, is_refused, observation);
+        return observation;
+    });
+}
+
+// The call's outputs. False where there was no result to judge.
+bool JudgeOutputs(const PreparedCase& prepared, const Bench& bench) {
     const std::optional<Gathered> results =
-        Evaluate(prepared.call, prepared.signature, prepared.table, runner, recipe, record);
+        Evaluate(prepared.call, prepared.signature, prepared.table, bench.runner, bench.recipe,
+                 bench.record);
     if (!results) {
         return false;
     }
+    Evaluation& evaluation = bench.EvaluationOf(prepared.call, prepared.signature, prepared.table);
+    Blame blame(evaluation, prepared.table, ProfileOf(bench.runner.info()), bench.record);
     for (const JudgedColumn& column : prepared.judged) {
         const std::span<const std::uint32_t> words = results->Column(column.column);
-        Summary summary;
-        if (column.accept.shares) {
-            Tally tally;
-            TallyColumn(column.accept, column.scalar, words, column.truth, 0, tally);
-            summary = tally.Settle(*column.accept.shares);
-            record.shares.push_back(CountOf(column, tally));
+        if (column.spec != nullptr) {
+            JudgeSpec(column, words, bench, evaluation, blame);
         } else {
-            JudgeColumn(column.accept, column.scalar, words, column.truth, 0, summary);
+            JudgeByTruth(column, words, bench, blame);
         }
-        collector.Add(column.name, summary,
-                      [&](std::uint64_t row) { return ObserveOutput(column, words[row], row); });
     }
     return true;
 }
 
-bool JudgeLawRows(const PreparedCase& prepared, const PreparedLaw& law, Runner& runner,
-                  const Recipe& recipe, Collector& collector, Record& record) {
+bool JudgeLawRows(const PreparedCase& prepared, const PreparedLaw& law, const Bench& bench) {
     const std::optional<Gathered> results =
-        Evaluate(law.call, law.signature, prepared.table, runner, recipe, record);
+        Evaluate(law.call, law.signature, prepared.table, bench.runner, bench.recipe, bench.record);
     if (!results) {
         return false;
     }
+    Blame blame(bench.EvaluationOf(law.call, law.signature, prepared.table), prepared.table,
+                ProfileOf(bench.runner.info()), bench.record);
     for (std::size_t i = 0; i < law.pairs.size(); ++i) {
         const std::span<const std::uint32_t> left = results->Column(law.pairs[i].first);
         const std::span<const std::uint32_t> right = results->Column(law.pairs[i].second);
@@ -218,21 +229,19 @@ bool JudgeLawRows(const PreparedCase& prepared, const PreparedLaw& law, Runner& 
         for (std::uint64_t row = 0; row < prepared.table.rows; ++row) {
             summary.Add(row, JudgeLaw(law.law, law.scalars[i], left[row], right[row]));
         }
-        collector.Add(LawLabel(law.law), summary, [&](std::uint64_t row) {
-            const Judgement judgement = JudgeLaw(law.law, law.scalars[i], left[row], right[row]);
-            Observation observation;
-            observation.output = LawLabel(law.law) + ", left side";
-            observation.rule = law.law.left + " " + RelationText(law.law) + " " + law.law.right +
-                               ", within " + law.law.within.Text();
-            observation.actual = ValueOf(law.scalars[i], left[row]);
-            observation.expected = ValueOf(law.scalars[i], right[row]);
-            observation.error = judgement.error;
-            observation.ulp_error = judgement.ulp_error;
-            observation.used = judgement.used;
+        blame.AddLaw(law, i, left, right, summary.refused);
+        bench.collector.Add(LawLabel(law.law), summary, [&](std::uint64_t row, bool is_refused) {
+            Observation observation = ObserveLaw(law, i, left[row], right[row]);
+            blame.ExplainLaw(law, i, left[row], right[row], row, is_refused, observation);
             return observation;
         });
     }
     return true;
+}
+
+std::string WhyUnjudged(const Record& record) {
+    return record.unevaluated.empty() ? "the specification bounds no value at any row"
+                                      : "there is no bound to judge by: " + record.unevaluated;
 }
 
 std::string RepeatCommand(const Record& record, const RepeatContext& context) {
@@ -242,9 +251,13 @@ std::string RepeatCommand(const Record& record, const RepeatContext& context) {
     // A figure is of the whole case.
     const bool is_figure = std::any_of(record.figures.begin(), record.figures.end(),
                                        [](const FigureSeen& figure) { return !figure.agrees; });
-    if (record.worst && !is_figure) {
+    const Observation* worst = record.Shown();
+    if (worst == nullptr && record.worst) {
+        worst = &*record.worst;
+    }
+    if (worst != nullptr && !is_figure) {
         std::string at;
-        for (const auto& [name, value] : record.worst->inputs) {
+        for (const auto& [name, value] : worst->inputs) {
             at += (at.empty() ? "" : ",") + name + "=" + value.hex;
         }
         command += " --at " + ShellWord(at);
@@ -252,10 +265,27 @@ std::string RepeatCommand(const Record& record, const RepeatContext& context) {
     return command;
 }
 
+// Of a record that has results.
+void SetVerdict(Record& record) {
+    if (record.refused > 0) {
+        record.verdict = Verdict::kFail;
+    } else if (record.outside > 0) {
+        record.verdict = Verdict::kNonconforming;
+        record.failed = record.outside_in;
+    } else if (record.judged > 0) {
+        record.verdict = Verdict::kPass;
+    } else {
+        ETALON_CHECK(!record.shares.empty() || record.unjudged > 0);
+        record.verdict = Verdict::kSkip;
+        record.reason =
+            record.shares.empty() ? WhyUnjudged(record) : "the oracle is undecided at every row";
+    }
+}
+
 }  // namespace
 
 Record RunCase(const PreparedCase& prepared, Runner& runner, const Recipe& recipe,
-               const RepeatContext& context) {
+               Evaluations& evaluations, const RepeatContext& context) {
     const auto start = std::chrono::steady_clock::now();
     Record record;
     record.case_path = prepared.source.path;
@@ -267,19 +297,16 @@ Record RunCase(const PreparedCase& prepared, Runner& runner, const Recipe& recip
     record.rows = prepared.table.rows;
     record.all_rows = prepared.all_rows;
     Collector collector(prepared, record);
+    const Bench bench = {runner, recipe, evaluations, collector, record};
     bool complete = true;
     if (!prepared.judged.empty()) {
-        complete = JudgeOutputs(prepared, runner, recipe, collector, record);
+        complete = JudgeOutputs(prepared, bench);
     }
     for (const PreparedLaw& law : prepared.laws) {
-        complete = complete && JudgeLawRows(prepared, law, runner, recipe, collector, record);
+        complete = complete && JudgeLawRows(prepared, law, bench);
     }
-    if (complete && record.judged == 0) {
-        ETALON_CHECK(!record.shares.empty());
-        record.verdict = Verdict::kSkip;
-        record.reason = "the oracle is undecided at every row";
-    } else if (complete) {
-        record.verdict = record.refused == 0 ? Verdict::kPass : Verdict::kFail;
+    if (complete) {
+        SetVerdict(record);
     }
     ApplyExpectations(prepared.source, prepared.extent, collector.things(), record);
     record.repeat = RepeatCommand(record, context);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "report/record.h"
+#include "run/evaluation.h"
 #include "run/prepared_case.h"
 #include "run/runner.h"
 
@@ -17,7 +18,8 @@ struct RepeatContext {
 };
 
 // Never fails: whatever happens is a verdict. Expected failures of the case are taken into account.
+// The case must stay where it is as long as the evaluations are used.
 Record RunCase(const PreparedCase& prepared, Runner& runner, const Recipe& recipe,
-               const RepeatContext& context);
+               Evaluations& evaluations, const RepeatContext& context);
 
 }  // namespace etalon

@@ -47,6 +47,7 @@ struct Shared {
     // By index and most rows: of the cases that run at some of their rows.
     std::map<std::pair<std::size_t, std::uint64_t>, PreparedCase> thin;
     DeviceSet devices;
+    std::unique_ptr<Evaluations> evaluations;
     RepeatContext repeat;
     std::vector<Planned> plan;
     std::map<std::size_t, std::size_t> jobs;  // index in the plan -> index in the schedule
@@ -58,7 +59,7 @@ struct Shared {
             const auto some = thin.find({planned.case_index, planned.rows});
             const PreparedCase& prepared =
                 some == thin.end() ? cases[planned.case_index] : some->second;
-            return RunCase(prepared, *planned.runner, *planned.recipe, repeat);
+            return RunCase(prepared, *planned.runner, *planned.recipe, *evaluations, repeat);
         }
         Record skipped;
         skipped.case_path = cases[planned.case_index].source.path;
@@ -83,6 +84,18 @@ class CaseTest : public ::testing::Test {
             RecordProperty("worst_ulp_error", ShortNumber(record.worst->ulp_error));
             RecordProperty("margin", ShortNumber(1 - record.worst->used));
             RecordProperty("worst", WorstText(*record.worst));
+        }
+        if (const Observation* shown = record.Shown(); shown != nullptr && shown->budget) {
+            RecordProperty("culprit", shown->budget->culprit);
+            RecordProperty("budget", BudgetText(*shown->budget));
+        }
+        if (!record.parts.empty()) {
+            RecordProperty("parts", PartsText(record));
+        }
+        if (record.held > 0) {
+            RecordProperty("specification",
+                           format("{}: {} of {} values outside, {} unbounded", record.profile,
+                                  record.outside, record.held, record.unbounded));
         }
         for (const ShareCount& count : record.shares) {
             RecordProperty("shares." + count.output, ShareText(count));
@@ -258,6 +271,7 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     }
     ETALON_TRY(devices, OpenDevices(choice.devices));
     shared.devices = std::move(devices);
+    shared.evaluations = std::make_unique<Evaluations>(shared.devices.programs);
     for (const Driver& driver : choice.devices.drivers) {
         shared.repeat.options +=
             " --driver " + ShellWord(driver.name + "=" + driver.prefix.string());

@@ -59,7 +59,7 @@ Result<DeviceSet> OpenDevices(const DeviceChoice& choice) {
 
     std::vector<std::unique_ptr<Client>> clients;
     DeviceSet set;
-    const auto programs = std::make_shared<Programs>();
+    set.programs = std::make_shared<Programs>();
     for (const Driver& driver : drivers) {
         if (!driver.name.empty() && !std::filesystem::is_directory(driver.prefix)) {
             return Error{"--driver " + driver.name + ": '" + driver.prefix.string() +
@@ -118,7 +118,7 @@ Result<DeviceSet> OpenDevices(const DeviceChoice& choice) {
             set.absent.push_back({CandidateName(candidate), "is " + info->name + " once more"});
             continue;
         }
-        set.runners.push_back(std::make_unique<Runner>(std::move(clients[i]), *info, programs));
+        set.runners.push_back(std::make_unique<Runner>(std::move(clients[i]), *info, set.programs));
         // Where only plain names are asked for and all are found, the rest need not be waited for.
         if (!choice.patterns.empty() && unmatched.empty() &&
             std::all_of(choice.patterns.begin(), choice.patterns.end(), IsPlainName)) {

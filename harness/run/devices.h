@@ -20,7 +20,8 @@ struct DeviceChoice {
 
 struct DeviceSet {
     std::vector<std::unique_ptr<Runner>> runners;
-    std::vector<DeviceNote> absent;  // candidates that are no devices here, and why
+    std::shared_ptr<Programs> programs;  // that the runners share
+    std::vector<DeviceNote> absent;      // candidates that are no devices here, and why
 };
 
 // Opens all devices that the choice names. Fails where a pattern matches none, with the reasons

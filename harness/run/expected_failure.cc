@@ -47,7 +47,7 @@ std::optional<double> Seen(const ExpectedFailure& expected, Figure::Measure meas
         case Figure::Measure::kAbsolute:
             return worst->worst->error;
         case Figure::Measure::kRelative:
-            return worst->worst->error / std::fabs(NumberOf(worst->worst->expected));
+            return worst->worst->error / std::fabs(NumberOf(*worst->worst->expected));
         case Figure::Measure::kUlp:
             return worst->worst->ulp_error;
         case Figure::Measure::kValue:

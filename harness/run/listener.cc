@@ -28,7 +28,8 @@ class Listener : public ::testing::EmptyTestEventListener {
                                                                : "pass ")
                       << name << format(" ({:.0f} ms)", 1000 * records_.back().seconds)
                       << (records_.back().figures.empty() ? "" : " ")
-                      << FiguresText(records_.back()) << "\n";
+                      << FiguresText(records_.back()) << (records_.back().parts.empty() ? "" : " ")
+                      << PartsText(records_.back()) << "\n";
         }
         progress_.Step(name);
     }
@@ -38,14 +39,14 @@ class Listener : public ::testing::EmptyTestEventListener {
     // The whole failure, or one line where the case has failed alike on another device: same input,
     // same value.
     std::string Told(const Record& record) {
-        if (record.worst && record.refused > 0) {
-            std::string same = record.case_path + record.worst->output + record.worst->actual.hex;
-            for (const auto& [name, value] : record.worst->inputs) {
+        if (const Observation* shown = record.Shown()) {
+            std::string same = record.case_path + shown->output + shown->actual.hex;
+            for (const auto& [name, value] : shown->inputs) {
                 same += name + value.hex;
             }
             if (!told_.insert(same).second) {
-                return record.case_path + " on " + record.device + " (" + record.recipe +
-                       "): fail, with the same input and value";
+                return format("{} on {} ({}): {}, with the same input and value", record.case_path,
+                              record.device, record.recipe, VerdictName(record.verdict));
             }
         }
         return FailureText(record);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 
 #include "compile/compile.h"
 #include "numeric/ulp.h"
@@ -117,65 +118,87 @@ Result<Call> CallOf(const Case& source, const Table& table) {
     return call;
 }
 
+// The truths of an expectation's columns, one by one.
+Result<std::vector<Truth>> Truths(const Expectation& expectation, std::size_t columns,
+                                  const Table& table) {
+    Expression truth = *expectation.truth;
+    ETALON_TRY(components, truth.Bind(Symbols(table)));
+    if (columns != components) {
+        return Error{expectation.place.Text() + "'" + expectation.output + "' has " +
+                     std::to_string(columns) + " components, its oracle " +
+                     std::to_string(components)};
+    }
+    const std::vector<std::uint64_t> subnormal = SubnormalRows(table);
+    std::vector<double> values;
+    std::vector<double> errors;
+    EvaluateAt(truth, table, false, values, errors);
+    std::vector<double> other_values;
+    std::vector<double> other_errors;
+    if (!subnormal.empty()) {
+        EvaluateAt(truth, RowsOf(table, subnormal), true, other_values, other_errors);
+    }
+    std::vector<Truth> truths(columns);
+    for (std::size_t k = 0; k < columns; ++k) {
+        const auto part = [&](const std::vector<double>& all) {
+            const auto from = all.begin() + static_cast<std::ptrdiff_t>(k * table.rows);
+            return std::vector<double>(from, from + static_cast<std::ptrdiff_t>(table.rows));
+        };
+        truths[k].values = part(values);
+        truths[k].errors = part(errors);
+        for (std::size_t i = 0; i < subnormal.size(); ++i) {
+            const std::size_t at = k * subnormal.size() + i;
+            truths[k].alternatives.push_back({subnormal[i], other_values[at], other_errors[at]});
+        }
+    }
+    return truths;
+}
+
+// Null where none is named.
+Result<const evaluate::Profile*> SpecOf(const Expectation& expectation) {
+    const evaluate::Profile* profile = evaluate::FindProfile(expectation.spec);
+    if (profile != nullptr || expectation.spec.empty()) {
+        return profile;
+    }
+    std::string names;
+    for (const std::string_view name : evaluate::ProfileNames()) {
+        names += (names.empty() ? "" : ", ") + std::string(name);
+    }
+    return Error{expectation.place.Text() + "'spec': there is no '" + expectation.spec +
+                 "'; there are " + names};
+}
+
 Result<std::vector<JudgedColumn>> JudgedColumns(const Case& source, const Table& table,
                                                 const Call& call, const Signature& signature) {
     const std::vector<ProbeColumn> outputs = OutputColumns(call, signature);
-    const std::vector<std::uint64_t> subnormal = SubnormalRows(table);
-    const Table subnormal_rows = RowsOf(table, subnormal);
-    const std::vector<Symbol> symbols = Symbols(table);
     std::vector<JudgedColumn> judged;
     for (const Expectation& expectation : source.expectations) {
-        std::vector<std::size_t> columns;
+        ETALON_TRY(spec, SpecOf(expectation));
+        std::vector<JudgedColumn> columns;
         for (std::size_t i = 0; i < outputs.size(); ++i) {
             const std::string& name = outputs[i].name;
             const std::size_t end = name.find_first_of(".[");
             if (name.substr(0, end) == expectation.output) {
-                columns.push_back(i);
+                columns.push_back({name, i, outputs[i].scalar, expectation.accept, spec, Truth{}});
             }
         }
-        Expression truth = expectation.truth;
-        ETALON_TRY(components, truth.Bind(symbols));
         if (columns.empty()) {
             return Error{expectation.place.Text() + "the call has no output '" +
                          expectation.output + "'"};
         }
-        if (columns.size() != components) {
-            return Error{expectation.place.Text() + "'" + expectation.output + "' has " +
-                         std::to_string(columns.size()) + " components, its oracle " +
-                         std::to_string(components)};
-        }
-        std::vector<double> values;
-        std::vector<double> errors;
-        EvaluateAt(truth, table, false, values, errors);
-        std::vector<double> other_values;
-        std::vector<double> other_errors;
-        if (!subnormal.empty()) {
-            EvaluateAt(truth, subnormal_rows, true, other_values, other_errors);
-        }
-        for (std::size_t k = 0; k < columns.size(); ++k) {
-            JudgedColumn column;
-            column.name = outputs[columns[k]].name;
-            column.column = columns[k];
-            column.scalar = outputs[columns[k]].scalar;
-            column.accept = expectation.accept;
+        for (const JudgedColumn& column : columns) {
             if (column.accept.shares && column.accept.shares->beyond &&
                 column.scalar != Scalar::kFloat) {
                 return Error{expectation.place.Text() + "'" + column.name +
                              "' is no float, and no way to a hit: 'wrong' goes with exact = true"};
             }
-            const auto part = [&](const std::vector<double>& all) {
-                const auto from = all.begin() + static_cast<std::ptrdiff_t>(k * table.rows);
-                return std::vector<double>(from, from + static_cast<std::ptrdiff_t>(table.rows));
-            };
-            column.truth.values = part(values);
-            column.truth.errors = part(errors);
-            for (std::size_t i = 0; i < subnormal.size(); ++i) {
-                const std::size_t at = k * subnormal.size() + i;
-                column.truth.alternatives.push_back(
-                    {subnormal[i], other_values[at], other_errors[at]});
-            }
-            judged.push_back(std::move(column));
         }
+        if (expectation.truth) {
+            ETALON_TRY(truths, Truths(expectation, columns.size(), table));
+            for (std::size_t k = 0; k < columns.size(); ++k) {
+                columns[k].truth = std::move(truths[k]);
+            }
+        }
+        std::move(columns.begin(), columns.end(), std::back_inserter(judged));
     }
     return judged;
 }
@@ -312,7 +335,7 @@ PreparedCase Thin(const PreparedCase& prepared, std::uint64_t count) {
     thin.table = RowsOf(prepared.table, chosen);
     for (JudgedColumn& column : thin.judged) {
         Truth some;
-        for (std::size_t i = 0; i < chosen.size(); ++i) {
+        for (std::size_t i = 0; column.HasTruth() && i < chosen.size(); ++i) {
             some.values.push_back(column.truth.values[chosen[i]]);
             some.errors.push_back(column.truth.errors[chosen[i]]);
             for (const Truth::Alternative& other : column.truth.alternatives) {

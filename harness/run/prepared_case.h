@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "case/case.h"
+#include "evaluate/profile.h"
 #include "judge/judge.h"
 #include "probe/call.h"
 
@@ -18,7 +19,10 @@ struct JudgedColumn {
     std::size_t column = 0;  // among the outputs
     Scalar scalar = Scalar::kFloat;
     Acceptance accept;
-    Truth truth;
+    const evaluate::Profile* spec = nullptr;  // judges in place of `accept`
+    Truth truth;                              // empty where there is no oracle
+
+    bool HasTruth() const { return !truth.values.empty(); }
 };
 
 struct PreparedLaw {

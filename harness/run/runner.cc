@@ -138,6 +138,28 @@ Runner::Outcome Runner::Evaluate(const Call& call, const Signature& signature, c
     return Ok();
 }
 
+Result<std::vector<std::uint32_t>, EvaluationFailure> Runner::RunOnce(
+    const std::string& name, const Program& program, std::span<const std::uint32_t> inputs) {
+    std::vector<std::uint32_t> outputs;
+    const std::string key = "once " + name;
+    loaded_.erase(key);
+    if (!client_->alive()) {
+        ETALON_TRY_STEP(Renew(0));
+    }
+    const Outcome done =
+        RunChunk(key, program, Rows{inputs, 1, inputs.size()}, 0, 1,
+                 [&](std::uint64_t, std::uint32_t, std::span<const std::uint32_t> words) {
+                     outputs.assign(words.begin(), words.end());
+                 });
+    if (!done) {
+        if (IsWorkersEnd(done.error())) {
+            (void)Renew(0);
+        }
+        return done.error();
+    }
+    return outputs;
+}
+
 Runner::Outcome Runner::EvaluateBaked(const Call& call, const Signature& signature,
                                       const Recipe& recipe, const Rows& inputs, const Sink& sink) {
     for (std::uint64_t first = 0; first < inputs.rows; first += kBakedRowsPerProgram) {

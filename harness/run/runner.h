@@ -53,6 +53,11 @@ class Runner {
                                                 const Recipe& recipe, const Rows& inputs,
                                                 const Sink& sink);
 
+    // The outputs of a program that the caller has made, under a name of its own, at one row. A
+    // crash or a hang is not tried again.
+    Result<std::vector<std::uint32_t>, EvaluationFailure> RunOnce(
+        const std::string& name, const Program& program, std::span<const std::uint32_t> inputs);
+
     // What went wrong once in the last Evaluate and not again; empty otherwise.
     const std::string& flake() const { return flake_; }
 

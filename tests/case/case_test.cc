@@ -287,6 +287,20 @@ TEST_F(CaseTest, RefusesWrongExpectations) {
     EXPECT_THAT(accept(""), HasSubstr("the acceptance grants nothing"));
     EXPECT_THAT(accept("flush = false"), HasSubstr("the acceptance grants nothing"));
     EXPECT_EQ(accept("upl = 1"), "cases/x.toml:4: unknown key 'upl'; did you mean 'ulp'?");
+    EXPECT_EQ(accept("spec = \"vulkan-1.3\""), "");
+    EXPECT_EQ(accept("spec = 1.3"), "cases/x.toml:4: 'spec' must be a text in quotes");
+    EXPECT_EQ(accept("spec = \"vulkan-1.3\", ulp = 2"),
+              "cases/x.toml:4: 'spec' and 'ulp' contradict each other: what the specification "
+              "allows is accepted, no more and no less");
+    EXPECT_EQ(accept("absolute = 0.1, spec = \"vulkan-1.3\""),
+              "cases/x.toml:4: 'spec' and 'absolute' contradict each other: what the specification "
+              "allows is accepted, no more and no less");
+    EXPECT_EQ(judged("accept = { spec = \"vulkan-1.3\" }"), "");
+    EXPECT_EQ(judged("out = { t = \"float\" }\naccept = { t = { spec = \"vulkan-1.3\" } }"), "");
+    EXPECT_EQ(judged("accept = { t = { spec = \"vulkan-1.3\" } }"),
+              "cases/x.toml:3: 'accept': there is no output 't'; 'out' names the out parameters");
+    EXPECT_EQ(judged("oracle = \"x\"\naccept = { result = { ulp = 1 }, result2 = { ulp = 1 } }"),
+              "cases/x.toml:4: 'accept' for 'result2' needs an 'oracle' for it");
     EXPECT_EQ(accept("absolute = 0.1, missed = 0.001, wrong = 0.01, beyond = 2"), "");
     EXPECT_EQ(accept("ulp = 4, beyond = 2"), "");
     EXPECT_EQ(accept("exact = true, wrong = 0.01"), "");
@@ -333,6 +347,8 @@ TEST_F(CaseTest, RefusesWrongLawsAndFailures) {
     EXPECT_EQ(law("holds = \"f(x) == 1\""), "cases/x.toml:9: 'name' is missing");
     EXPECT_EQ(law("name = \"l\"\nholds = \"f(x) == 1\"\nwithin = { ulp = 8388608 }"),
               "cases/x.toml:12: nothing could fail: 2^23 ulp reach to zero");
+    EXPECT_EQ(law("name = \"l\"\nholds = \"f(x) == 1\"\nwithin = { spec = \"vulkan-1.3\" }"),
+              "cases/x.toml:12: unknown key 'spec'");
     EXPECT_EQ(law("name = \"l\"\nholds = \"f(x) == 1\"\nwithin = { exact = true, wrong = 0.1 }"),
               "cases/x.toml:12: 'within' grants no shares: a law holds at every row");
     EXPECT_EQ(law("name = \"l\"\nholds = \"f(x) == 1\"\n[[law]]\nname = \"l\"\nholds = \"1 < 2\""),
@@ -372,6 +388,15 @@ TEST_F(CaseTest, RefusesWrongLawsAndFailures) {
     EXPECT_EQ(failure(known + "figure = 3"), here + "'figure' must be a table");
     EXPECT_EQ(failure(known + "verdict = \"crash\"\nfigure = { ulp = 2 }"),
               "cases/x.toml:14: 'figure' is of a failure by numbers, not of a crash");
+    const auto verdict = [&](const std::string& name, const std::string& status) {
+        return failure("cause = \"why\"\nverdict = \"" + name + "\"\nstatus = \"" + status + "\"");
+    };
+    EXPECT_EQ(verdict("nonconforming", "bug"), "");
+    EXPECT_EQ(verdict("nonconforming", "method"),
+              "cases/x.toml:12: 'status' must be bug: what the specification does not allow is "
+              "one");
+    EXPECT_EQ(verdict("skip", "bug"),
+              "cases/x.toml:11: 'verdict' must be fail, nonconforming, crash or timeout");
     EXPECT_EQ(failure(device + "statsu = \"bug\""),
               "cases/x.toml:11: unknown key 'statsu'; did you mean 'status'?");
 }

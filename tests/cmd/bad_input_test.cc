@@ -241,6 +241,11 @@ TEST_F(BadInput, CaseThatIsWrong) {
     std::string blind = kCase;
     blind.replace(blind.find("ulp = 1"), 7, "absolute = 10");
     EXPECT_THAT(RunOf(blind), StartsWith("cases/a/c.toml:4: nothing could fail"));
+    std::string later = kCase;
+    later.replace(later.find("ulp = 1"), 7, "spec = \"vulkan-9\"");
+    EXPECT_EQ(RunOf(later),
+              "cases/a/c.toml:4: 'spec': there is no 'vulkan-9'; there are glsl-4.60, vulkan-1.3, "
+              "vulkan-1.4");
     EXPECT_THAT(RunOf(std::string("recipes = [\"fast\"]\n") + kCase),
                 StartsWith("cases/a/c.toml: unknown recipe 'fast'"));
 }
@@ -264,6 +269,24 @@ TEST_F(BadInput, OptionsOfARunThatAreWrong) {
     EXPECT_EQ(RunOf(kCase, {"--at", "x=1"}), "--at needs exactly one case, the pattern names 2");
     EXPECT_THAT(RunOf(kCase, {"--recipe", "fast"}), StartsWith("unknown recipe 'fast'"));
     EXPECT_THAT(RunOf(kCase, {"--gtest_filter=nothing"}), StartsWith("no test was selected"));
+}
+
+TEST_F(BadInput, ExplanationsOfWhatIsNotThere) {
+    folder_.Write("cases/a/c.toml", kCase);
+    folder_.Write("cases/a/d.toml", kCase);
+    const auto explain = [&](std::vector<std::string> more) {
+        std::vector<std::string> words = {"explain", "-d", "cpu"};
+        words.insert(words.end(), more.begin(), more.end());
+        return Complaint(words);
+    };
+    EXPECT_THAT(explain({}), HasSubstr("CASE is required"));
+    EXPECT_THAT(explain({"b", "--at", "x=1"}), StartsWith("no case is called 'b'"));
+    EXPECT_THAT(explain({"a", "--at", "x=1"}), StartsWith("'a' names 2 cases, and one"));
+    EXPECT_EQ(explain({"a/c", "--at", "y=1"}), "--at: the case has no input 'y'");
+    EXPECT_EQ(explain({"a/c", "--at", "x=1", "--output", "y"}),
+              "--output: the case judges no 'y'; it judges 'result'");
+    EXPECT_THAT(explain({"a/c", "--at", "x=1", "--recipe", "fast"}),
+                StartsWith("unknown recipe 'fast'"));
 }
 
 TEST_F(BadInput, FlagThatGoogleTestDoesNotKnow) {

@@ -38,6 +38,7 @@ TEST(RunJson, ReadsBack) {
         "covers": ["F4", "D14"], "verdict": "pass", "reason": "", "seed": 7, "rows": 100, "all_rows": 100, "judged": 300, "refused": 0,
         "failed": [], "repeat": "etalon run optics/fresnel --at 'n1=0x1.8p+0,steps=3'",
         "known_cause": "", "figures": [], "flake": "", "seconds": 0.125,
+        "specification": null, "culprits": {}, "worst_parts": {},
         "worst": {"output": "result.x", "rule": "ulp 16 or absolute 1e-09",
                   "inputs": {"n1": {"decimal": "1.5", "hex": "0x1.8p+0"},
                              "steps": {"decimal": "3", "hex": "3"}},
@@ -50,6 +51,44 @@ TEST(RunJson, ReadsBack) {
         json::parse(R"([{"expected": "ulp 4 within 0.01", "seen": "inf", "agrees": false}])"));
     EXPECT_EQ(read["records"][2]["verdict"], "timeout");
     EXPECT_EQ(read["records"][2]["worst"], nullptr);
+}
+
+TEST(RunJson, TellsOfTheBudgetAndTheSpecification) {
+    RunRecord run;
+    run.records = {Outside()};
+    run.records[0].culprits = {{"driver", 2}};
+    const json read = json::parse(RunJson(run))["records"][0];
+    EXPECT_EQ(read["verdict"], "nonconforming");
+    EXPECT_EQ(read["culprits"], json::parse(R"({"driver": 2})"));
+    EXPECT_EQ(read["worst_parts"]["driver"]["ulp"], 12);
+    EXPECT_EQ(read["worst_parts"]["driver"]["absolute"], 1e-7);
+    EXPECT_EQ(read["worst_parts"]["driver"]["output"], "result.x");
+    EXPECT_EQ(read["worst_parts"]["driver"]["inputs"]["n1"]["decimal"], "1.5");
+    EXPECT_FALSE(read["worst_parts"].contains("rounding"));
+    const json& held = read["specification"];
+    EXPECT_EQ(held["profile"], "vulkan-1.3");
+    EXPECT_EQ(held["held"], 300);
+    EXPECT_EQ(held["unbounded"], 20);
+    EXPECT_EQ(held["outside"], 3);
+    EXPECT_EQ(held["outside_in"], json::parse(R"(["result.x"])"));
+    EXPECT_EQ(held["worst_outside"]["allowed"], json::parse(R"({
+        "low": {"decimal": "0.1", "hex": "0x1.99999ap-4"},
+        "high": {"decimal": "0.11", "hex": "0x1.c28f5cp-4"}, "excess_ulp": 12.0})"));
+    EXPECT_EQ(held["worst_outside"]["budget"], json::parse(R"({
+        "culprit": "driver", "law": false, "method": {"ulp": 0.25, "absolute": 1e-9},
+        "rounding": {"ulp": 0.0, "absolute": 0.0}, "driver": {"ulp": 12.0, "absolute": 1e-7}})"));
+}
+
+TEST(RunJson, HasNullForWhatThereIsNot) {
+    RunRecord run;
+    run.records = {Outside()};
+    run.records[0].worst_outside->expected.reset();
+    run.records[0].worst_outside->budget->method.reset();
+    run.records[0].worst_outside->allowed->bounded = false;
+    const json outside = json::parse(RunJson(run))["records"][0]["specification"]["worst_outside"];
+    EXPECT_EQ(outside["expected"], nullptr);
+    EXPECT_EQ(outside["budget"]["method"], nullptr);
+    EXPECT_EQ(outside["allowed"], "unbounded");
 }
 
 TEST(RunJson, CountsWhatIsOff) {

@@ -69,6 +69,26 @@ inline Record Refused() {
     return record;
 }
 
+// All within the tolerance; three values outside the specification.
+inline Record Outside() {
+    Record record = Passed();
+    record.verdict = Verdict::kNonconforming;
+    record.failed = record.outside_in = {"result.x"};
+    record.profile = "vulkan-1.3";
+    record.held = 300;
+    record.unbounded = 20;
+    record.outside = 3;
+    record.parts = {{"method", "result.x", record.worst->inputs, {1e-9, 0.25}},
+                    {"driver", "result.x", record.worst->inputs, {1e-7, 12}}};
+    Observation outside = *record.worst;
+    outside.rule = "spec vulkan-1.3";
+    outside.actual = {"0.2", "0x1.99999ap-3"};
+    outside.allowed = {true, {"0.1", "0x1.99999ap-4"}, {"0.11", "0x1.c28f5cp-4"}, 12};
+    outside.budget = {"driver", false, PartSeen{1e-9, 0.25}, {0, 0}, {1e-7, 12}};
+    record.worst_outside = outside;
+    return record;
+}
+
 inline Record Without(Verdict verdict, const std::string& reason) {
     Record record = Passed();
     record.verdict = verdict;

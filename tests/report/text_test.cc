@@ -57,6 +57,78 @@ TEST(FailureText, TellsOfANan) {
               "  repeat    etalon run optics/fresnel --at 'n1=0x1.8p+0,steps=3'");
 }
 
+TEST(FailureText, NamesTheCulprit) {
+    Record record = Refused();
+    record.profile = "vulkan-1.3";
+    record.worst->budget = {"rounding", false, PartSeen{0, 0}, {7e-8, 39.5}, {1e-9, 0.5}};
+    record.culprits = {{"rounding", 2}};
+    EXPECT_THAT(FailureText(record),
+                HasSubstr("\n  rule      ulp 16 or absolute 1e-09\n"
+                          "  culprit   rounding\n"
+                          "  parts     method 0 ulp, rounding 39.5 ulp, driver 0.5 ulp\n"
+                          "  repeat "));
+    record.culprits = {{"rounding", 1}, {"driver, within the specification", 1}};
+    record.held = 300;
+    record.outside = 4;
+    EXPECT_THAT(
+        FailureText(record),
+        HasSubstr("\n  culprit   rounding (of all that was refused: rounding 1; driver, within "
+                  "the specification 1)\n"
+                  "  parts     method 0 ulp, rounding 39.5 ulp, driver 0.5 ulp\n"
+                  "  outside   4 of 300 values are not what vulkan-1.3 allows\n"
+                  "  repeat "));
+    record.worst->budget.reset();
+    record.unevaluated = "OpArrayLength is not known";
+    EXPECT_THAT(FailureText(record),
+                HasSubstr("\n  culprit   not known: OpArrayLength is not known\n  repeat "));
+}
+
+TEST(FailureText, TellsWhoBreaksALaw) {
+    Record record = Refused();
+    record.worst->budget = {"rounding", true, PartSeen{}, {1e-7, 3}, {2e-7, 4}};
+    EXPECT_THAT(FailureText(record),
+                HasSubstr("\n  culprit   rounding\n  parts     method holds, strict evaluation "
+                          "breaks it by 3 ulp, device breaks it by 4 ulp\n"));
+}
+
+TEST(FailureText, ShowsWhatTheSpecificationAllows) {
+    EXPECT_EQ(FailureText(Outside()),
+              "optics/fresnel on osmesa:llvmpipe (glsl): nonconforming\n"
+              "  outside   3 of 300 values (100 rows, seed 7) are not what vulkan-1.3 allows; the "
+              "furthest:\n"
+              "  input     n1=1.5, steps=3\n"
+              "            n1=0x1.8p+0, steps=3\n"
+              "  output    result.x\n"
+              "  actual    0.2 = 0x1.99999ap-3\n"
+              "  expected  0.10000001 = 0x1.99999cp-4\n"
+              "  allowed   0.1 = 0x1.99999ap-4 to 0.11 = 0x1.c28f5cp-4\n"
+              "  error     12 ulp outside\n"
+              "  culprit   driver\n"
+              "  parts     method 0.25 ulp, rounding 0 ulp, driver 12 ulp\n"
+              "  repeat    etalon run optics/fresnel --at 'n1=0x1.8p+0,steps=3'");
+}
+
+TEST(FailureText, OfASpecificationNeedsNoTruth) {
+    Record record = Outside();
+    record.verdict = Verdict::kFail;
+    record.refused = 3;
+    record.worst = record.worst_outside;
+    record.worst->expected.reset();
+    record.worst->allowed->high = record.worst->allowed->low;
+    record.worst->budget->method.reset();
+    EXPECT_THAT(FailureText(record), HasSubstr("\n  actual    0.2 = 0x1.99999ap-3\n"
+                                               "  allowed   0.1 = 0x1.99999ap-4\n"
+                                               "  error     12 ulp outside\n"
+                                               "  rule      spec vulkan-1.3\n"
+                                               "  culprit   driver\n"
+                                               "  parts     rounding 0 ulp, driver 12 ulp\n"));
+}
+
+TEST(PartsText, TellsTheWorstOfEach) {
+    EXPECT_EQ(PartsText(Outside()), "parts at most method 0.25 ulp, driver 12 ulp");
+    EXPECT_EQ(PartsText(Passed()), "");
+}
+
 TEST(FailureText, TellsOfACrash) {
     Record record = Without(Verdict::kCrash, "ended by signal 11 (Segmentation fault)");
     record.repeat = "etalon run optics/fresnel";
@@ -135,14 +207,22 @@ TEST(SummaryText, CountsByDevice) {
     hung.device = "vulkan:silent@new";
     Record known_crash = Without(Verdict::kCrash, "signal 11");
     known_crash.known_cause = "method: cancels";
-    run.records = {Passed(), closer,  Refused(), known,       flaky,
-                   skipped,  skipped, hung,      known_crash, Without(Verdict::kCrash, "x")};
+    Record strange = Passed();
+    strange.profile = "vulkan-1.3";
+    strange.unevaluated = "OpArrayLength is not known";
+    run.records = {Passed(),  closer,  Refused(), known,       flaky,
+                   skipped,   skipped, hung,      known_crash, Without(Verdict::kCrash, "x"),
+                   Outside(), strange};
     EXPECT_EQ(
         SummaryText(run),
-        "device                        pass  fail known  skip crash timeout  least margin\n"
-        "osmesa:llvmpipe                  3     1     2     0     1       0  12.5 %  optics/snell "
+        "device                        pass  fail nonconforming known  skip crash timeout  least "
+        "margin\n"
+        "osmesa:llvmpipe                  4     1             1     2     0     1       0  12.5 %  "
+        "optics/snell "
         "(glsl)\n"
-        "vulkan:silent@new                0     0     0     2     0       1  -\n"
+        "vulkan:silent@new                0     0             0     0     2     0       1  -\n"
+        "held to vulkan-1.3: 300 values, 20 unbounded, 3 outside\n"
+        "not evaluated, 1 times: OpArrayLength is not known\n"
         "known failure, 2 times: method: cancels\n"
         "skipped, 2 times: no fragment stage\n"
         "failed once and not again:\n"
@@ -152,9 +232,11 @@ TEST(SummaryText, CountsByDevice) {
 TEST(SummaryText, IsATableWithoutRecordsToo) {
     RunRecord run;
     run.devices = {Llvmpipe()};
-    EXPECT_EQ(SummaryText(run),
-              "device                        pass  fail known  skip crash timeout  least margin\n"
-              "osmesa:llvmpipe                  0     0     0     0     0       0  -\n");
+    EXPECT_EQ(
+        SummaryText(run),
+        "device                        pass  fail nonconforming known  skip crash timeout  least "
+        "margin\n"
+        "osmesa:llvmpipe                  0     0             0     0     0     0       0  -\n");
 }
 
 TEST(DevicesText, ShowsWhatADeviceTells) {

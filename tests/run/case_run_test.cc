@@ -49,7 +49,8 @@ class ExpectedFailureTest : public ::testing::Test {
         Result<DeviceSet> devices = OpenDevices(choice);
         EXPECT_TRUE(devices.ok()) << devices.error().message;
         Runner& runner = *devices->runners.front();
-        return RunCase(*prepared, runner, DefaultRecipe(runner.info()), {});
+        Evaluations evaluations(devices->programs);
+        return RunCase(*prepared, runner, DefaultRecipe(runner.info()), evaluations, {});
     }
     static std::string Entry(const std::string& keys) {
         return "[[expected_failure]]\ndevice = \"*\"\nstatus = \"bug\"\n" + keys;
@@ -79,7 +80,8 @@ x = { values = [1, 2, 3] }
         Result<DeviceSet> devices = OpenDevices(choice);
         EXPECT_TRUE(devices.ok()) << devices.error().message;
         Runner& runner = *devices->runners.front();
-        return RunCase(*prepared, runner, DefaultRecipe(runner.info()), {});
+        Evaluations evaluations(devices->programs);
+        return RunCase(*prepared, runner, DefaultRecipe(runner.info()), evaluations, {});
     }
 
     Folder folder_;

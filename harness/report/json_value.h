@@ -1,0 +1,21 @@
+// What the JSON reports share.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "report/record.h"
+
+namespace etalon {
+
+// JSON has no NaN and no infinities: "nan", "inf", "-inf".
+nlohmann::ordered_json NumberJson(double value);
+nlohmann::ordered_json ValueJson(const Value& value);
+
+// All of a record.
+nlohmann::ordered_json RecordJson(const Record& record);
+
+// Paths and drivers' words may hold bytes that are not UTF-8; they are replaced, not thrown over.
+std::string DumpJson(const nlohmann::ordered_json& json);
+
+}  // namespace etalon
