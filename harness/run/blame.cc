@@ -207,8 +207,8 @@ void Blame::AddColumn(const JudgedColumn& column, std::span<const std::uint32_t>
         return;
     }
     Hold(column.name, column, words);
-    AddParts(column, words, refused > 0 && column.spec == nullptr);
-    if (column.spec != nullptr) {
+    AddParts(column, words, refused > 0 && !column.IsBySpec());
+    if (column.IsBySpec()) {
         Count(Culprit::kDriver, refused);
     }
 }
@@ -262,9 +262,8 @@ void Blame::Explain(const JudgedColumn& column, std::uint32_t word, std::uint64_
     }
     if (is_refused) {
         // Beyond the very bound that it is judged by, no method or rounding is to blame.
-        const Culprit culprit = column.spec != nullptr
-                                    ? Culprit::kDriver
-                                    : CulpritOf(parts, allowed, Excess(allowed, word));
+        const Culprit culprit =
+            column.IsBySpec() ? Culprit::kDriver : CulpritOf(parts, allowed, Excess(allowed, word));
         observation.budget->culprit = CulpritName(culprit);
     }
 }
