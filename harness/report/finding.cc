@@ -58,10 +58,9 @@ std::string HeldText(const RunRecord& run, const std::string& device) {
     if (cases.empty()) {
         return "held to nothing";
     }
-    return format(
-        "held to {} in {} cases: of {} values {} are outside, in {} cases; {} have no bound",
-        Joined({profiles.begin(), profiles.end()}), cases.size(), held, outside,
-        outside_cases.size(), unbounded);
+    return format("held to {}, cases {}, values {}: outside {}, in cases {}; without a bound {}",
+                  Joined({profiles.begin(), profiles.end()}), cases.size(), held, outside,
+                  outside_cases.size(), unbounded);
 }
 
 std::string Entry(const Finding& finding, const std::string& reproducers) {
