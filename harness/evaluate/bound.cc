@@ -20,7 +20,7 @@ std::uint32_t Context<Interval>::Decide(std::uint32_t lane, std::uint64_t altern
     if (alternatives == 1 || lost.Has(lane)) {
         return 0;
     }
-    if (alternatives > Way::kMostAlternatives || way.taken.size() == Way::kMostChoices) {
+    if (alternatives > Way::kMostAlternatives || way.taken.size() >= most_choices) {
         Lose(lane);
         return 0;
     }
@@ -103,12 +103,34 @@ bool Bound::Holds(std::uint32_t bits) const {
 
 namespace {
 
-// One way of one row, as far as it is given.
+// A row and the next of its ways, as far as that is given.
 struct Task {
     std::uint32_t row = 0;
-    std::vector<std::uint8_t> taken;
-    std::vector<std::uint8_t> alternatives;
+    Way way;
 };
+
+// The way with the last choice that has an alternative left changed to that; false where none has.
+bool Turn(Way& way) {
+    way.at = 0;
+    while (!way.taken.empty() && way.taken.back() + 1 == way.alternatives.back()) {
+        way.taken.pop_back();
+        way.alternatives.pop_back();
+    }
+    if (way.taken.empty()) {
+        return false;
+    }
+    ++way.taken.back();
+    return true;
+}
+
+// Ways that are known to follow this one.
+std::uint64_t WaysLeft(const Way& way) {
+    std::uint64_t left = 0;
+    for (std::size_t i = 0; i < way.taken.size(); ++i) {
+        left += way.alternatives[i] - 1u - way.taken[i];
+    }
+    return left;
+}
 
 class Bounder {
   public:
@@ -120,26 +142,21 @@ class Bounder {
           ways_(rows.count),
           is_lost_(rows.count) {
         runner_.rows = &rows_;
+        // Each choice leads to at least one more way.
+        runner_.context.most_choices = limits.ways;
         runner_.context.bounds = bounds;
         runner_.context.is_stored.resize(bounds.size());
     }
 
-    // Rows in their order, but the ways that are left of earlier ones first.
     void RunAll() {
         std::uint32_t next = 0;
-        while (next < rows_.count || !tasks_.empty()) {
-            std::vector<Task> batch;
-            while (batch.size() < kLanes && (next < rows_.count || !tasks_.empty())) {
-                if (tasks_.empty()) {
-                    batch.push_back({next++, {}, {}});
-                    continue;
-                }
-                if (!is_lost_[tasks_.back().row]) {
-                    batch.push_back(std::move(tasks_.back()));
-                }
-                tasks_.pop_back();
+        std::vector<Task> batch;
+        while (next < rows_.count || !batch.empty()) {
+            while (batch.size() < kLanes && next < rows_.count) {
+                batch.push_back({next++, {}});
             }
             RunBatch(batch);
+            std::erase_if(batch, [&](Task& task) { return is_lost_[task.row] || !Turn(task.way); });
         }
         for (std::size_t i = 0; i < runner_.context.bounds.size(); ++i) {
             if (is_lost_[i % rows_.count]) {
@@ -149,35 +166,19 @@ class Bounder {
     }
 
   private:
-    void RunBatch(const std::vector<Task>& batch) {
-        if (batch.empty()) {
-            return;
-        }
+    void RunBatch(std::vector<Task>& batch) {
         std::array<std::uint32_t, kLanes> row_of_lane;
         runner_.context.lost = Mask{};
         for (std::uint32_t lane = 0; lane < batch.size(); ++lane) {
             row_of_lane[lane] = batch[lane].row;
-            runner_.context.ways[lane] = {batch[lane].taken, batch[lane].alternatives, 0};
+            runner_.context.ways[lane] = std::move(batch[lane].way);
         }
         runner_.RunLanes(std::span(row_of_lane).first(batch.size()));
         for (std::uint32_t lane = 0; lane < batch.size(); ++lane) {
             const std::uint32_t row = batch[lane].row;
-            const Way& way = runner_.context.ways[lane];
-            if (runner_.context.lost.Has(lane) || ++ways_[row] > limits_.ways) {
-                is_lost_[row] = true;
-                continue;
-            }
-            for (std::size_t at = batch[lane].taken.size(); at < way.taken.size(); ++at) {
-                const auto begin = way.taken.begin();
-                for (std::uint8_t other = 1; other < way.alternatives[at]; ++other) {
-                    Task task{row, {begin, begin + static_cast<std::ptrdiff_t>(at)}, {}};
-                    task.taken.push_back(other);
-                    task.alternatives.assign(
-                        way.alternatives.begin(),
-                        way.alternatives.begin() + static_cast<std::ptrdiff_t>(at) + 1);
-                    tasks_.push_back(std::move(task));
-                }
-            }
+            batch[lane].way = std::move(runner_.context.ways[lane]);
+            is_lost_[row] = runner_.context.lost.Has(lane) ||
+                            ++ways_[row] + WaysLeft(batch[lane].way) > limits_.ways;
         }
     }
 
@@ -186,7 +187,6 @@ class Bounder {
     const Limits limits_;
     std::vector<std::uint32_t> ways_;  // by row: those taken
     std::vector<bool> is_lost_;        // by row
-    std::vector<Task> tasks_;
 };
 
 }  // namespace

@@ -20,9 +20,8 @@
 namespace etalon::evaluate {
 
 struct Way {
-    // More alternatives in one place, or more choices on one way, and the lane is lost.
+    // More alternatives in one place, and the lane is lost.
     static constexpr std::uint32_t kMostAlternatives = 64;
-    static constexpr std::size_t kMostChoices = 256;
 
     std::vector<std::uint8_t> taken;
     std::vector<std::uint8_t> alternatives;  // how many there were, choice by choice
@@ -35,9 +34,10 @@ using TexelRange = std::array<std::pair<float, float>, 4>;
 template <>
 struct Context<Interval> {
     std::array<Way, kLanes> ways;
-    Mask lost;                    // lanes whose results are unbounded
-    std::span<Bound> bounds;      // of all outputs, as Rows::outputs
-    std::vector<bool> is_stored;  // of `bounds`
+    std::size_t most_choices = 0;  // on one way; more, and the lane is lost
+    Mask lost;                     // lanes whose results are unbounded
+    std::span<Bound> bounds;       // of all outputs, as Rows::outputs
+    std::vector<bool> is_stored;   // of `bounds`
     std::map<std::pair<const Image*, std::uint32_t>, TexelRange> levels;  // found so far
 
     void Lose(std::uint32_t lane) { lost.Add(lane); }
