@@ -23,7 +23,8 @@ struct Expectation {
     std::optional<Expression> truth;  // over the inputs, bound to the first domain's in their
                                       // order; absent where `spec` judges without one
     Acceptance accept;
-    std::string spec;  // "vulkan-1.3": what it allows is accepted, and `accept` judges nothing
+    std::string spec;  // "vulkan-1.3", or "device" for the device's own: what it allows is
+                       // accepted, and `accept` judges nothing
     Place place;       // of the acceptance
 };
 

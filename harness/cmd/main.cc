@@ -21,6 +21,7 @@
 #include "report/catalogue.h"
 #include "report/explanation.h"
 #include "report/json.h"
+#include "report/reproducer.h"
 #include "report/text.h"
 #include "run/case_choice.h"
 #include "run/conformance.h"
@@ -167,6 +168,7 @@ int List(const std::string& root, const std::vector<std::string>& patterns) {
 struct RunReports {
     std::string json;
     std::string catalogue;
+    std::string findings;
     std::size_t slowest = 0;
 };
 
@@ -191,6 +193,39 @@ int WriteCatalogue(const std::string& file, const RunOutcome& outcome) {
     return kVerdict;
 }
 
+// Reproducers of an earlier run, and nothing else, are taken away.
+void RemoveReproducers(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> stale;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const Result<std::string> text = ReadFile(entry.path());
+        if (text && IsReproducer(*text)) {
+            stale.push_back(entry.path());
+        }
+    }
+    for (const std::filesystem::path& file : stale) {
+        std::filesystem::remove(file);
+    }
+}
+
+// The exit status.
+int WriteFindings(const std::filesystem::path& file, const RunOutcome& outcome) {
+    const std::string name = "reproducers";
+    const std::filesystem::path folder = file.parent_path() / name;
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) {
+        return Complain("--findings: " + folder.string() + ": " + error.message());
+    }
+    RemoveReproducers(folder);
+    Status<> written = WriteFile(file, FindingsMarkdown(outcome.record, name));
+    for (const auto& [reproducer, text] : outcome.reproducers) {
+        if (written) {
+            written = WriteFile(folder / reproducer, text);
+        }
+    }
+    return written ? 0 : Complain("--findings: " + written.error().message);
+}
+
 int Run(RunChoice choice, const std::string& root, const DeviceOptions& options,
         const RunReports& reports) {
     Result<std::filesystem::path> folder = RootOf(root);
@@ -204,6 +239,7 @@ int Run(RunChoice choice, const std::string& root, const DeviceOptions& options,
     }
     choice.devices = *devices;
     choice.catalogue = !reports.catalogue.empty();
+    choice.findings = !reports.findings.empty();
     Result<RunOutcome> outcome = RunConformance(choice);
     if (!outcome) {
         return Complain(outcome.error().message);
@@ -234,6 +270,9 @@ int Run(RunChoice choice, const std::string& root, const DeviceOptions& options,
     }
     if (outcome->nothing_ran) {
         return Complain("no test ran: every one was skipped");
+    }
+    if (!reports.findings.empty() && WriteFindings(reports.findings, *outcome) != 0) {
+        return kBadInput;
     }
     const int catalogue =
         reports.catalogue.empty() ? 0 : WriteCatalogue(reports.catalogue, *outcome);
@@ -338,6 +377,10 @@ int Main(std::vector<std::string> arguments) {
     run->add_option("--catalogue", reports.catalogue,
                     "write what was found of each id in shaders/catalogue.toml to FILE, as "
                     "Markdown; an id that no case covers is an error, unless only some are run")
+        ->type_name("FILE.md");
+    run->add_option("--findings", reports.findings,
+                    "write what no specification allows to FILE, as Markdown, and for each "
+                    "finding a file that other tools run, into the folder reproducers beside it")
         ->type_name("FILE.md");
     run->add_option("--slowest", reports.slowest, "name the N cases that took longest")
         ->check(Within(1, 1e6))

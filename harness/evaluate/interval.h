@@ -132,8 +132,11 @@ inline bool IsPowerOfTwo(const Interval& x) {
 }
 
 inline Interval Add(const Interval& a, const Interval& b) {
-    // Adding zero rounds nothing.
+    // Adding zero rounds nothing; but a zero times what may overflow may be a NaN.
     if (a.magnitude == 0 || b.magnitude == 0) {
+        if ((a.magnitude == 0 ? a : b).peak > kLargest) {
+            return Anything();
+        }
         Interval x = a.magnitude == 0 ? b : a;
         x.peak = std::max(a.peak, b.peak);
         return x.magnitude == 0 ? Unsigned(x) : x;

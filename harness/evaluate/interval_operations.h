@@ -445,7 +445,19 @@ ETALON_PACK_INTERVALS(PackSnorm2x16, 2, true)
 ETALON_PACK_INTERVALS(PackUnorm2x16, 2, false)
 #undef ETALON_PACK_INTERVALS
 
-// Either neighbour; of what is beyond the largest half or below the least, whatever there is.
+// The half towards zero from x, which is not negative.
+inline std::uint32_t HalfBelow(double x) {
+    constexpr double kLeastNormalHalf = 0x1p-14;
+    constexpr double kLargestHalf = 65504;
+    if (x < kLeastNormalHalf) {
+        return static_cast<std::uint32_t>(x * 0x1p24);
+    }
+    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(std::min(x, kLargestHalf)));
+    return HalfBits(bits & ~0x1fffu);
+}
+
+// Either neighbour, of which the infinity is one beyond the largest half; a subnormal half may be
+// flushed.
 template <>
 inline void PackHalf2x16(IntervalMachine& m, const evaluate::Step& step) {
     std::uint32_t* result = m.Words(step.result.words);
@@ -453,23 +465,22 @@ inline void PackHalf2x16(IntervalMachine& m, const evaluate::Step& step) {
         std::uint32_t word = 0;
         for (std::uint32_t i = 0; i < 2; ++i) {
             const Interval x = interval::Settle(m.Floats(m.Operand(step, 0).floats + i)[lane]);
-            const double least = std::max({x.low(), -x.high, 0.0});
-            if (!(x.magnitude < 65504) || (least < 0x1p-14 && x.magnitude != 0)) {
+            if (!(x.magnitude <= interval::kLargest) || (x.low() < 0 && x.high > 0)) {
                 m.context.Lose(lane);
                 continue;
             }
-            // The halves at and around the ends, by truncation of the significand.
-            const auto half = [](double end) {
-                return HalfBits(std::bit_cast<std::uint32_t>(static_cast<float>(end)) & ~0x1fffu);
-            };
-            const bool is_negative = x.high < 0;
+            bool is_negative = x.low() < 0;
             const double inner = is_negative ? -x.high : x.low();
             const double outer = is_negative ? -x.low() : x.high;
-            const std::uint32_t first = half(inner);
-            const std::uint32_t last =
-                half(outer) +
-                (static_cast<double>(std::bit_cast<float>(FloatBits(half(outer)))) < outer);
-            const std::uint32_t chosen = first + m.context.Decide(lane, last - first + 1);
+            const std::uint32_t first = HalfBelow(inner);
+            std::uint32_t last = HalfBelow(outer);
+            last += static_cast<double>(std::bit_cast<float>(FloatBits(last))) < outer;
+            const std::uint32_t flushed = first != 0 && first < 0x400u;
+            std::uint32_t chosen = m.context.Decide(lane, last - first + 1 + flushed);
+            chosen = first + chosen > last ? 0 : first + chosen;
+            if (chosen == 0) {
+                is_negative = m.context.Decide(lane, 2) != 0;
+            }
             word |= (chosen | (is_negative ? 0x8000u : 0u)) << (16 * i);
         }
         result[lane] = word;

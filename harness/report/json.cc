@@ -94,6 +94,38 @@ ordered_json ShareJson(const ShareCount& count) {
     return json;
 }
 
+ordered_json FindingValueJson(const FindingValue& value) {
+    ordered_json json = {{"decimal", value.decimal}, {"hex", value.hex}, {"word", value.word}};
+    if (!value.name.empty()) {
+        json["name"] = value.name;
+    }
+    return json;
+}
+
+ordered_json FindingJson(const Finding& finding) {
+    ordered_json json = {{"devices", finding.devices},
+                         {"case", finding.case_path},
+                         {"call", finding.call},
+                         {"recipe", finding.recipe},
+                         {"profile", finding.profile},
+                         {"output", finding.output},
+                         {"inputs", ordered_json::array()},
+                         {"actual", FindingValueJson(finding.actual)},
+                         {"strict", FindingValueJson(finding.strict)},
+                         {"low", FindingValueJson(finding.low)},
+                         {"high", FindingValueJson(finding.high)},
+                         {"excess_ulp", NumberJson(finding.excess)},
+                         {"outside", finding.outside},
+                         {"held", finding.held},
+                         {"cause", finding.cause},
+                         {"reproducer", finding.reproducer},
+                         {"doubt", finding.doubt}};
+    for (const FindingValue& input : finding.inputs) {
+        json["inputs"].push_back(FindingValueJson(input));
+    }
+    return json;
+}
+
 }  // namespace
 
 ordered_json RecordJson(const Record& record) {
@@ -150,9 +182,10 @@ std::string DevicesJson(const RunRecord& run) {
 }
 
 std::string RunJson(const RunRecord& run) {
-    ordered_json json = {{"version", run.version},          {"processor", ProcessorName()},
-                         {"seconds", run.seconds},          {"devices", ordered_json::array()},
-                         {"absent", ordered_json::array()}, {"records", ordered_json::array()}};
+    ordered_json json = {{"version", run.version},           {"processor", ProcessorName()},
+                         {"seconds", run.seconds},           {"devices", ordered_json::array()},
+                         {"absent", ordered_json::array()},  {"records", ordered_json::array()},
+                         {"findings", ordered_json::array()}};
     for (const DeviceInfo& device : run.devices) {
         json["devices"].push_back(DeviceJson(device));
     }
@@ -161,6 +194,9 @@ std::string RunJson(const RunRecord& run) {
     }
     for (const Record& record : run.records) {
         json["records"].push_back(RecordJson(record));
+    }
+    for (const Finding& finding : run.findings) {
+        json["findings"].push_back(FindingJson(finding));
     }
     return DumpJson(json);
 }

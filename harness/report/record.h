@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "device/device_info.h"
+#include "report/finding.h"
 
 namespace etalon {
 
@@ -164,6 +165,7 @@ struct RunRecord {
     std::vector<DeviceInfo> devices;
     std::vector<DeviceNote> absent;
     std::vector<Record> records;
+    std::vector<Finding> findings;  // where they were asked for
     double seconds = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "judge/judge.h"
+#include "numeric/ulp.h"
 #include "run/observe.h"
 
 namespace etalon {
@@ -117,13 +118,21 @@ void Blame::Hold(const std::string& what, const JudgedColumn& column,
     std::uint64_t outside = 0;
     std::uint64_t worst = 0;
     double worst_excess = 0;
+    double worst_error = 0;
     for (std::uint64_t row = 0; row < table_.rows; ++row) {
         const Allowed& allowed = AllowedAt(column.column, row);
         const double excess = Excess(allowed, words[row]);
         record_.unbounded += allowed.kind == Allowed::Kind::kUnbounded ? 1 : 0;
-        outside += excess > 0 ? 1 : 0;
-        if (excess > worst_excess) {
+        if (excess == 0) {
+            continue;
+        }
+        ++outside;
+        // The ends are floats, so that many lie as far outside.
+        const double method = values_->method.At(IndexOf(column.column, row), column.scalar);
+        const double error = std::fabs(WordValue(column.scalar, words[row]) - method) / Ulp(method);
+        if (excess > worst_excess || (excess == worst_excess && error > worst_error)) {
             worst_excess = excess;
+            worst_error = error;
             worst = row;
         }
     }
@@ -207,8 +216,8 @@ void Blame::AddColumn(const JudgedColumn& column, std::span<const std::uint32_t>
         return;
     }
     Hold(column.name, column, words);
-    AddParts(column, words, refused > 0 && column.spec == nullptr);
-    if (column.spec != nullptr) {
+    AddParts(column, words, refused > 0 && !column.IsBySpec());
+    if (column.IsBySpec()) {
         Count(Culprit::kDriver, refused);
     }
 }
@@ -262,9 +271,8 @@ void Blame::Explain(const JudgedColumn& column, std::uint32_t word, std::uint64_
     }
     if (is_refused) {
         // Beyond the very bound that it is judged by, no method or rounding is to blame.
-        const Culprit culprit = column.spec != nullptr
-                                    ? Culprit::kDriver
-                                    : CulpritOf(parts, allowed, Excess(allowed, word));
+        const Culprit culprit =
+            column.IsBySpec() ? Culprit::kDriver : CulpritOf(parts, allowed, Excess(allowed, word));
         observation.budget->culprit = CulpritName(culprit);
     }
 }

@@ -146,7 +146,8 @@ struct Bench {
 // By what a specification allows. Values without a bound are counted and not judged.
 void JudgeSpec(const JudgedColumn& column, std::span<const std::uint32_t> words, const Bench& bench,
                Evaluation& evaluation, Blame& blame) {
-    const Result<std::vector<Allowed>>& bounds = evaluation.Bounds(*column.spec);
+    const evaluate::Profile& spec = column.own_spec ? ProfileOf(bench.runner.info()) : *column.spec;
+    const Result<std::vector<Allowed>>& bounds = evaluation.Bounds(spec);
     if (!bounds) {
         bench.record.unjudged += words.size();
         return;
@@ -167,8 +168,7 @@ void JudgeSpec(const JudgedColumn& column, std::span<const std::uint32_t> words,
     }
     blame.AddColumn(column, words, summary.refused);
     bench.collector.Add(column.name, summary, [&](std::uint64_t row, bool is_refused) {
-        Observation observation =
-            ObserveAllowed(column, allowed[row], column.spec->name, words[row], row);
+        Observation observation = ObserveAllowed(column, allowed[row], spec.name, words[row], row);
         blame.Explain(column, words[row], row, is_refused, observation);
         return observation;
     });
@@ -205,7 +205,7 @@ bool JudgeOutputs(const PreparedCase& prepared, const Bench& bench) {
     Blame blame(evaluation, prepared.table, ProfileOf(bench.runner.info()), bench.record);
     for (const JudgedColumn& column : prepared.judged) {
         const std::span<const std::uint32_t> words = results->Column(column.column);
-        if (column.spec != nullptr) {
+        if (column.IsBySpec()) {
             JudgeSpec(column, words, bench, evaluation, blame);
         } else {
             JudgeByTruth(column, words, bench, blame);

@@ -14,6 +14,7 @@
 #include "report/text.h"
 #include "run/case_choice.h"
 #include "run/case_run.h"
+#include "run/findings.h"
 #include "run/fit.h"
 #include "run/gtest_flags.h"
 #include "run/gtest_report.h"
@@ -314,6 +315,15 @@ Result<RunOutcome> RunConformance(const RunChoice& choice) {
     outcome.good = RUN_ALL_TESTS() == 0;
     if (auto written = report.Write(); !written) {
         outcome.report_error = written.error().message;
+    }
+    if (choice.findings) {
+        std::map<std::string, const Case*> cases;
+        for (const PreparedCase& prepared : shared.cases) {
+            cases[prepared.source.path] = &prepared.source;
+        }
+        FoundOutside found = FindOutside(shared.record, cases, shared.devices.programs);
+        shared.record.findings = std::move(found.findings);
+        outcome.reproducers = std::move(found.reproducers);
     }
     shared.record.seconds = SecondsSince(start);
     outcome.record = std::move(shared.record);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -29,15 +30,17 @@ struct RunChoice {
     std::vector<std::string> gtest_arguments;  // "--gtest_..." flags
     bool verbose = false;                      // a line per test
     bool catalogue = false;                    // also reads the root's catalogue
+    bool findings = false;                     // also looks at what no specification allows
 };
 
 struct RunOutcome {
     RunRecord record;
     std::vector<CatalogueEntry> catalogue;
-    bool chosen_only = false;  // not all tests were asked for
-    bool listed_only = false;  // --gtest_list_tests or --help: nothing ran
-    bool nothing_ran = false;  // every test was skipped
-    bool good = false;         // no test failed
+    std::map<std::string, std::string> reproducers;  // of the record's findings, by file name
+    bool chosen_only = false;                        // not all tests were asked for
+    bool listed_only = false;                        // --gtest_list_tests or --help: nothing ran
+    bool nothing_ran = false;                        // every test was skipped
+    bool good = false;                               // no test failed
     std::string report_error;  // why GoogleTest's report could not be written; empty where it was
 };
 

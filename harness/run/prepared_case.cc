@@ -153,10 +153,13 @@ Result<std::vector<Truth>> Truths(const Expectation& expectation, std::size_t co
     return truths;
 }
 
-// Null where none is named.
+// The name of the device's own specification.
+constexpr std::string_view kOwnSpec = "device";
+
+// Null where none is named, and for that of the device.
 Result<const evaluate::Profile*> SpecOf(const Expectation& expectation) {
     const evaluate::Profile* profile = evaluate::FindProfile(expectation.spec);
-    if (profile != nullptr || expectation.spec.empty()) {
+    if (profile != nullptr || expectation.spec.empty() || expectation.spec == kOwnSpec) {
         return profile;
     }
     std::string names;
@@ -164,7 +167,8 @@ Result<const evaluate::Profile*> SpecOf(const Expectation& expectation) {
         names += (names.empty() ? "" : ", ") + std::string(name);
     }
     return Error{expectation.place.Text() + "'spec': there is no '" + expectation.spec +
-                 "'; there are " + names};
+                 "'; there are " + names + ", and '" + std::string(kOwnSpec) +
+                 "' for the device's own"};
 }
 
 Result<std::vector<JudgedColumn>> JudgedColumns(const Case& source, const Table& table,
@@ -178,7 +182,8 @@ Result<std::vector<JudgedColumn>> JudgedColumns(const Case& source, const Table&
             const std::string& name = outputs[i].name;
             const std::size_t end = name.find_first_of(".[");
             if (name.substr(0, end) == expectation.output) {
-                columns.push_back({name, i, outputs[i].scalar, expectation.accept, spec, Truth{}});
+                columns.push_back({name, i, outputs[i].scalar, expectation.accept, spec,
+                                   expectation.spec == kOwnSpec, Truth{}});
             }
         }
         if (columns.empty()) {

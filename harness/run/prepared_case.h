@@ -20,9 +20,11 @@ struct JudgedColumn {
     Scalar scalar = Scalar::kFloat;
     Acceptance accept;
     const evaluate::Profile* spec = nullptr;  // judges in place of `accept`
+    bool own_spec = false;                    // the device's own specification does so
     Truth truth;                              // empty where there is no oracle
 
     bool HasTruth() const { return !truth.values.empty(); }
+    bool IsBySpec() const { return spec != nullptr || own_spec; }
 };
 
 struct PreparedLaw {

@@ -245,7 +245,7 @@ TEST_F(BadInput, CaseThatIsWrong) {
     later.replace(later.find("ulp = 1"), 7, "spec = \"vulkan-9\"");
     EXPECT_EQ(RunOf(later),
               "cases/a/c.toml:4: 'spec': there is no 'vulkan-9'; there are glsl-4.60, vulkan-1.3, "
-              "vulkan-1.4");
+              "and 'device' for the device's own");
     EXPECT_THAT(RunOf(std::string("recipes = [\"fast\"]\n") + kCase),
                 StartsWith("cases/a/c.toml: unknown recipe 'fast'"));
 }

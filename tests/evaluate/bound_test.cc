@@ -188,5 +188,26 @@ TEST(Profile, IsFoundByItsName) {
     }
 }
 
+TEST(Bound, OfAnIntAreItsOwnBits) {
+    const Bound bound = BoundAt("int(a) + 1", {2.0f});
+    EXPECT_EQ(bound.kind, Bound::Kind::kWord);
+    EXPECT_EQ(bound.word, 3u);
+}
+
+TEST(Bound, OfAZeroTimesWhatOverflowsIsAnything) {
+    EXPECT_EQ(BoundAt("a + (b * c) * d", {1.0f, 1e30f, 1e30f, 0.0f}).kind, Bound::Kind::kUnbounded);
+    EXPECT_BOUND(BoundAt("a + (b * c) * d", {1.0f, 1e10f, 1e10f, 0.0f}), 1.0f, 1.0f);
+}
+
+TEST(Bound, OfAHalfAreTheNeighbours) {
+    const std::string halves = "unpackHalf2x16(packHalf2x16(vec2(a, b)))";
+    EXPECT_BOUND(BoundAt(halves + ".x", {1.0001f, 1.0f}), 1.0f, 1.0f + 0x1p-10f);
+    EXPECT_BOUND(BoundAt(halves + ".x", {-1.0001f, 1.0f}), -1.0f - 0x1p-10f, -1.0f);
+    EXPECT_BOUND(BoundAt(halves + ".x", {0x1.4p-23f, 1.0f}), 0.0f, 0x1.8p-23f);
+    EXPECT_BOUND(BoundAt(halves + ".x", {0.0f, 1.0f}), 0.0f, 0.0f);
+    // What overflows leaves the other half alone.
+    EXPECT_BOUND(BoundAt(halves + ".y", {1e30f, 0x1p-14f}), 0x1p-14f, 0x1p-14f);
+}
+
 }  // namespace
 }  // namespace etalon
