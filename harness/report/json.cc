@@ -44,9 +44,13 @@ ordered_json AllowedJson(const AllowedValue& allowed) {
     if (!allowed.bounded) {
         return "unbounded";
     }
-    return {{"low", ValueJson(allowed.low)},
-            {"high", ValueJson(allowed.high)},
-            {"excess_ulp", NumberJson(allowed.excess)}};
+    ordered_json json = {{"low", ValueJson(allowed.low)},
+                         {"high", ValueJson(allowed.high)},
+                         {"excess_ulp", NumberJson(allowed.excess)}};
+    if (allowed.quantum) {
+        json["multiples_of"] = ValueJson(*allowed.quantum);
+    }
+    return json;
 }
 
 ordered_json ObservationJson(const Observation& observation) {

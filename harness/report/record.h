@@ -33,7 +33,8 @@ struct AllowedValue {
     bool bounded = false;  // where it is not, low and high have no meaning
     Value low;
     Value high;
-    double excess = 0;  // ulp by which the result lies outside
+    double excess = 0;             // ulp by which the result lies outside
+    std::optional<Value> quantum;  // where the result is outside as it is no multiple of this
 };
 
 struct PartSeen {

@@ -91,9 +91,11 @@ std::string AllowedText(const AllowedValue& allowed) {
         return "anything";
     }
     const std::string low = allowed.low.decimal + " = " + allowed.low.hex;
-    return allowed.low.hex == allowed.high.hex
-               ? low
-               : low + " to " + allowed.high.decimal + " = " + allowed.high.hex;
+    if (allowed.low.hex == allowed.high.hex) {
+        return low;
+    }
+    return low + " to " + allowed.high.decimal + " = " + allowed.high.hex +
+           (allowed.quantum ? ", in multiples of " + allowed.quantum->hex : "");
 }
 
 std::string RefusedText(const Record& record, const Observation& worst) {

@@ -66,6 +66,10 @@ AllowedValue AllowedValueOf(const Allowed& allowed, Scalar scalar, std::uint32_t
     if (allowed.kind == Allowed::Kind::kNumber) {
         value.low = ValueOf(Scalar::kFloat, std::bit_cast<std::uint32_t>(allowed.low));
         value.high = ValueOf(Scalar::kFloat, std::bit_cast<std::uint32_t>(allowed.high));
+        const auto number = std::bit_cast<float>(word);
+        if (value.excess > 0 && allowed.low <= number && number <= allowed.high) {
+            value.quantum = ValueOf(Scalar::kFloat, std::bit_cast<std::uint32_t>(allowed.quantum));
+        }
     } else if (allowed.kind == Allowed::Kind::kWord) {
         value.low = value.high = ValueOf(scalar, allowed.word);
     }

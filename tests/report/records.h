@@ -83,7 +83,7 @@ inline Record Outside() {
     Observation outside = *record.worst;
     outside.rule = "spec vulkan-1.3";
     outside.actual = {"0.2", "0x1.99999ap-3"};
-    outside.allowed = {true, {"0.1", "0x1.99999ap-4"}, {"0.11", "0x1.c28f5cp-4"}, 12};
+    outside.allowed = {true, {"0.1", "0x1.99999ap-4"}, {"0.11", "0x1.c28f5cp-4"}, 12, {}};
     outside.budget = {"driver", false, PartSeen{1e-9, 0.25}, {0, 0}, {1e-7, 12}};
     record.worst_outside = outside;
     return record;

@@ -124,6 +124,13 @@ TEST(FailureText, OfASpecificationNeedsNoTruth) {
                                                "  parts     rounding 0 ulp, driver 12 ulp\n"));
 }
 
+TEST(FailureText, TellsOfTheQuantumThatAResultMisses) {
+    Record record = Outside();
+    record.worst_outside->allowed->quantum = Value{"0.125", "0x1p-3"};
+    EXPECT_THAT(FailureText(record),
+                HasSubstr(" to 0.11 = 0x1.c28f5cp-4, in multiples of 0x1p-3\n"));
+}
+
 TEST(PartsText, TellsTheWorstOfEach) {
     EXPECT_EQ(PartsText(Outside()), "parts at most method 0.25 ulp, driver 12 ulp");
     EXPECT_EQ(PartsText(Passed()), "");
