@@ -60,6 +60,15 @@ std::string LinkError(std::string_view log, const std::string& source) {
             return source + ": function '" + std::string(mangled.substr(0, mangled.find('('))) +
                    "' is declared but not defined; --with FILE adds a source that defines it";
         }
+        if (lines[i].find("Recursion detected") != std::string_view::npos && i + 1 < lines.size()) {
+            // "f(f1; calling g(f1;", mangled.
+            const std::string_view calls = Trim(lines[i + 1]);
+            const std::string caller(calls.substr(0, calls.find('(')));
+            const std::size_t calling = calls.rfind(' ') + 1;
+            const std::string called(calls.substr(calling, calls.find('(', calling) - calling));
+            return source + ": recursion: function '" + caller + "' calls " +
+                   (called == caller ? "itself" : "'" + called + "', which leads back to it");
+        }
     }
     return source + ": " + FirstError(log);
 }

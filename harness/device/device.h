@@ -20,6 +20,7 @@ struct DeviceFailure {
     enum class Kind : std::uint8_t {
         kUnsupported,  // the device cannot run this: a skip
         kRejected,  // the device's compiler refused a valid program: a fail, its log is the reason
+        kStopped,   // the program has no result at some row, as one whose loop has no end: a fail
         kLost,      // the device is gone: a crash
     };
     Kind kind = Kind::kUnsupported;

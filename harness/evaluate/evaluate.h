@@ -56,7 +56,8 @@ class Evaluator {
     Evaluator(const Evaluator&) = delete;
     Evaluator& operator=(const Evaluator&) = delete;
 
-    // Fails with the row and the line where a row goes beyond the limits, a buffer or an array.
+    // Fails with the row, the line where the module has lines, and the function where a row goes
+    // beyond the limits, a buffer or an array.
     Status<> Run(const Rows<Number>& rows);
 
   private:

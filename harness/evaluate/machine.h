@@ -120,6 +120,7 @@ struct Machine {
     Lanes lanes;
     Mask killed;
     std::uint32_t first_row = 0;
+    std::uint32_t running = 0;  // the function that runs
     const Rows<Number>* rows = nullptr;
     std::string failure;  // the first, empty for none
     [[no_unique_address]] Context<Number> context;
@@ -182,6 +183,11 @@ struct Machine {
             if (step.line != kNone) {
                 const spirv::Line& line = plan->module.lines[step.line];
                 failure += line.file + ":" + std::to_string(line.line) + ": ";
+            }
+            // glslang's "find(f1;vf2;".
+            const std::string& name = plan->module.functions[running].name;
+            if (!name.empty()) {
+                failure += "in " + name.substr(0, name.find('(')) + ": ";
             }
             failure += reason;
         }

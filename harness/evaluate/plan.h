@@ -108,6 +108,7 @@ struct Block {
                               // budget: every loop and every function has such a block
     std::uint32_t merge = kNone;  // where the ways out of it meet, in the order of the plan
     bool is_loop = false;
+    std::uint32_t line = kNone;  // into Module::lines: of its end
 };
 
 // Blocks stand so that those where ways meet come late: the lanes of the first block that has any

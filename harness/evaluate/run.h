@@ -8,6 +8,7 @@
 #include <array>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 #include "evaluate/arithmetic.h"
 #include "evaluate/composite.h"
@@ -64,7 +65,7 @@ struct Runner : Machine<N> {
     void Take(Frame<N>& frame, const Edge& edge, const Mask& mask);
     void MovePhis(Frame<N>& frame, const Edge& edge, const Mask& mask);
     void Switch(Frame<N>& frame, const Block& block);
-    void CountStep();
+    void CountStep(const Block& block);
 };
 
 template <typename N>
@@ -79,6 +80,7 @@ void Runner<N>::RunFunction(std::uint32_t index) {
     const Function& function = this->plan->functions[index];
     Frame<N>& frame = frames[index];
     const Lanes caller = this->lanes;
+    const std::uint32_t calling = std::exchange(this->running, index);
     frame.waiting[0] = caller.mask;
     const auto count = static_cast<std::uint32_t>(function.blocks.size());
     for (std::uint32_t at = 0; at < count && this->failure.empty();) {
@@ -104,6 +106,7 @@ void Runner<N>::RunFunction(std::uint32_t index) {
         std::fill(frame.waiting.begin(), frame.waiting.end(), Mask{});
     }
     this->lanes = caller;
+    this->running = calling;
     if (!this->killed.IsEmpty()) {
         Mask alive = caller.mask;
         alive.Remove(this->killed);
@@ -112,17 +115,19 @@ void Runner<N>::RunFunction(std::uint32_t index) {
 }
 
 template <typename N>
-void Runner<N>::CountStep() {
+void Runner<N>::CountStep(const Block& block) {
     bool is_spent = false;
     for (std::uint32_t i = 0; i < this->lanes.count; ++i) {
         const std::uint32_t lane = this->lanes.is_dense ? i : this->lanes.index[i];
         is_spent |= ++this->spent[lane] > this->limits.steps;
     }
     if (is_spent && this->failure.empty()) {
+        Step at;
+        at.line = block.line;
         Mask(this->lanes.mask).Each([&](std::uint32_t lane) {
             if (this->spent[lane] > this->limits.steps) {
                 this->Fail(
-                    lane, Step{},
+                    lane, at,
                     "a loop does not end within " + std::to_string(this->limits.steps) + " steps");
             }
         });
@@ -132,7 +137,7 @@ void Runner<N>::CountStep() {
 template <typename N>
 void Runner<N>::RunBlock(const Block& block) {
     if (block.is_counted) {
-        CountStep();
+        CountStep(block);
     }
     if constexpr (requires { this->context.lost; }) {
         if (!this->context.lost.IsEmpty()) {

@@ -60,10 +60,13 @@ Result<std::shared_ptr<const Plan>> Translator::Translate() {
         const spirv::Function& function = module_.functions[i];
         const std::uint32_t result = module_.types[function.type].element;
         if (module_.types[result].kind != Kind::kVoid) {
-            ETALON_TRY(size, SizeOf(result));
+            auto size = SizeOf(result);
+            if (!size) {
+                return Error{"function '" + function.name + "': " + size.error().message};
+            }
             ETALON_TRY(place, Allocate(result));
             plan_->functions[i].result = place;
-            plan_->functions[i].result_size = size;
+            plan_->functions[i].result_size = *size;
         }
         for (const std::uint32_t parameter : function.parameters) {
             slots_[i].push_back(kNone);
@@ -118,12 +121,19 @@ Status<> Translator::CheckRecursion() {
         }
     }
     const auto first = std::find(ordered.begin(), ordered.end(), false);
-    if (first != ordered.end()) {
-        return Error{"recursion: the function '" +
-                     module_.functions[static_cast<std::size_t>(first - ordered.begin())].name +
-                     "' calls itself, or such a function"};
+    if (first == ordered.end()) {
+        return Ok();
     }
-    return Ok();
+    // Each that is left calls another one that is; the way along these ends in a ring.
+    std::vector<bool> seen(calls.size());
+    auto at = static_cast<std::size_t>(first - ordered.begin());
+    while (!seen[at]) {
+        seen[at] = true;
+        at = *std::find_if(calls[at].begin(), calls[at].end(),
+                           [&](std::uint32_t to) { return !ordered[to]; });
+    }
+    return Error{"recursion: the function '" + module_.functions[at].name +
+                 "' calls itself, by itself or by others"};
 }
 
 Status<> Translator::TranslateConstants() {
@@ -216,6 +226,7 @@ Status<> Translator::TranslateBlock(const spirv::Function& function, std::uint32
     const spirv::Block& source = function.blocks[block];
     out.merge = source.merge == kNone ? kNone : places[source.merge];
     out.is_loop = source.continue_block != kNone;
+    out.line = source.instructions.back().line;
     for (std::size_t i = 0; i + 1 < source.instructions.size(); ++i) {
         if (source.instructions[i].op != spv::Op::OpPhi) {
             ETALON_TRY_STEP(TranslateStep(source.instructions[i]));

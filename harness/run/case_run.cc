@@ -81,6 +81,7 @@ void SetFailure(const EvaluationFailure& failure, Record& record) {
             return;
         case Kind::kInput:
         case Kind::kRejected:
+        case Kind::kStopped:
             record.verdict = Verdict::kFail;
             return;
         case Kind::kCrash:

@@ -244,6 +244,7 @@ class Probe {
                        << "\n";
                 return Ok();
             case Kind::kRejected:
+            case Kind::kStopped:
                 notes_ << "fail: ";
                 break;
             case Kind::kCrash:

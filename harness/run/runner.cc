@@ -25,6 +25,8 @@ EvaluationFailure FromWorker(const WorkerFailure& failure, const Program& progra
             return {Kind::kRejected,
                     "the driver's compiler refused a program that glslang accepts: " +
                         DriverError(failure.reason, program.line_names)};
+        case WorkerFailure::Kind::kStopped:
+            return {Kind::kStopped, failure.reason};
         case WorkerFailure::Kind::kCrash:
             return {Kind::kCrash, failure.reason};
         case WorkerFailure::Kind::kTimeout:
@@ -83,7 +85,11 @@ Runner::Outcome Runner::RunChunk(const std::string& key, const Program& program,
     }
     WorkerResult<std::span<const std::uint32_t>> outputs = client_->Run(handle);
     if (!outputs) {
-        return FromWorker(outputs.error(), program);
+        EvaluationFailure failure = FromWorker(outputs.error(), program);
+        if (failure.kind == Kind::kStopped && first > 0) {
+            failure.reason = "of the rows from " + std::to_string(first) + " on, " + failure.reason;
+        }
+        return failure;
     }
     sink(first, rows, *outputs);
     return Ok();

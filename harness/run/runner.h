@@ -22,6 +22,7 @@ struct EvaluationFailure {
         kInput,        // the user's source or call is wrong
         kUnsupported,  // skip
         kRejected,     // the driver's compiler refused a valid program: fail
+        kStopped,      // the program has no result at some row: fail
         kCrash,
         kTimeout,
     };

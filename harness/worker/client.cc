@@ -189,6 +189,8 @@ WorkerResult<T> Client::State::Answer() {
             return WorkerFailure{WorkerFailure::Kind::kUnsupported, failure.reason};
         case DeviceFailure::Kind::kRejected:
             return WorkerFailure{WorkerFailure::Kind::kRejected, failure.reason};
+        case DeviceFailure::Kind::kStopped:
+            return WorkerFailure{WorkerFailure::Kind::kStopped, failure.reason};
         case DeviceFailure::Kind::kLost:
             break;
     }

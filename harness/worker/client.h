@@ -31,6 +31,7 @@ struct WorkerFailure {
     enum class Kind : std::uint8_t {
         kUnsupported,  // as DeviceFailure
         kRejected,
+        kStopped,
         kCrash,  // signal, exit, lost device, memory: the reason says which
         kTimeout,
     };

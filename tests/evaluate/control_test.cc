@@ -1,9 +1,11 @@
 // Lanes that part: loops of different lengths, nested switches, early returns, calls.
 #include <gmock/gmock.h>
 
-#include <random>
+#include <map>
 
 #include "evaluate/probed.h"
+#include "spirv/grammar.h"
+#include "spirv/read.h"
 
 namespace etalon {
 namespace {
@@ -174,7 +176,49 @@ TEST(Control, TellsWhatItCannotDo) {
         HasSubstr("no compute shader"));
     EXPECT_THAT(
         Probed("double f(uint x) { return double(x); }\n", "float(f(x))", {"uint x"}).error(),
-        HasSubstr("64-bit floats are not supported"));
+        HasSubstr("function 'f(u1;': 64-bit floats are not supported"));
+}
+
+// glslang refuses it, so one function's call is turned to its caller.
+TEST(Control, RefusesRecursion) {
+    const Probed probed(
+        "uint h(uint x) { return x + 1u; }\n"
+        "uint g(uint x) { return h(x); }\n"
+        "uint f(uint x) { return g(x); }\n",
+        "f(x)", {"uint x"});
+    ASSERT_EQ(probed.error(), "");
+    std::vector<std::uint32_t> words = probed.program().spirv;
+    std::map<std::string, std::uint32_t> called;  // by function: the word that says whom it calls
+    std::map<std::string, std::uint32_t> ids;
+    const Result<spirv::RawModule> raw = spirv::CutWords(words);
+    ASSERT_TRUE(raw.ok());
+    std::map<std::uint32_t, std::string> names;
+    std::string function;
+    for (const spirv::RawInstruction& at : raw->instructions) {
+        if (at.op == spv::Op::OpName) {
+            names[words[at.word + 1]] = spirv::StringAt(words, at.word + 2);
+        } else if (at.op == spv::Op::OpFunction) {
+            function = names[at.result];
+            ids[function] = at.result;
+        } else if (at.op == spv::Op::OpFunctionCall) {
+            called[function] = at.word + 3;
+        }
+    }
+    const auto refusal = [&](const std::string& caller, const std::string& other) {
+        std::vector<std::uint32_t> turned = words;
+        turned[called.at(caller)] = ids.at(other);
+        Result<spirv::Module> module = spirv::ReadModule(turned);
+        EXPECT_TRUE(module.ok()) << module.error().message;
+        const auto plan = evaluate::MakePlan(std::move(*module));
+        return plan.ok() ? "" : plan.error().message;
+    };
+    EXPECT_EQ(refusal("g(u1;", "h(u1;"), "");
+    EXPECT_EQ(refusal("g(u1;", "g(u1;"),
+              "recursion: the function 'g(u1;' calls itself, by itself or by others");
+    EXPECT_THAT(
+        refusal("g(u1;", "f(u1;"),
+        testing::MatchesRegex("recursion: the function '[fg]\\(u1;' calls itself, by itself "
+                              "or by others"));
 }
 
 TEST(Control, EndsALoopWithoutEnd) {
@@ -186,7 +230,8 @@ TEST(Control, EndsALoopWithoutEnd) {
     limits.steps = 100;
     const auto out = probed.Words<float>({{3, 2, 3}}, nullptr, limits);
     ASSERT_FALSE(out.ok());
-    EXPECT_THAT(out.error().message, HasSubstr("row 1: a loop does not end within 100 steps"));
+    EXPECT_THAT(out.error().message,
+                HasSubstr("row 1: in f: a loop does not end within 100 steps"));
 }
 
 TEST(Control, RefusesAnIndexOutOfRange) {
@@ -196,7 +241,7 @@ TEST(Control, RefusesAnIndexOutOfRange) {
     EXPECT_TRUE(probed.Words<float>({{0, 1, 2}}).ok());
     const auto out = probed.Words<float>({{0, 1, 0xffffffffu}});
     ASSERT_FALSE(out.ok());
-    EXPECT_THAT(out.error().message, HasSubstr("row 2: index -1 is outside of 3 elements"));
+    EXPECT_THAT(out.error().message, HasSubstr("row 2: in f: index -1 is outside of 3 elements"));
 }
 
 }  // namespace

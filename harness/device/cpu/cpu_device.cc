@@ -57,7 +57,7 @@ class CpuDevice : public Device {
                               std::span<std::uint32_t> outputs) override {
         ETALON_CHECK(handle < loaded_.size());
         if (auto done = loaded_[handle]->Run({rows, inputs, outputs}); !done) {
-            return DeviceFailure{DeviceFailure::Kind::kRejected, done.error().message};
+            return DeviceFailure{DeviceFailure::Kind::kStopped, done.error().message};
         }
         return Ok();
     }
