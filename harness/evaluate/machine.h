@@ -184,10 +184,8 @@ struct Machine {
                 const spirv::Line& line = plan->module.lines[step.line];
                 failure += line.file + ":" + std::to_string(line.line) + ": ";
             }
-            // glslang's "find(f1;vf2;".
-            const std::string& name = plan->module.functions[running].name;
-            if (!name.empty()) {
-                failure += "in " + name.substr(0, name.find('(')) + ": ";
+            if (const std::string& name = plan->module.functions[running].name; !name.empty()) {
+                failure += "in " + PlainName(name) + ": ";
             }
             failure += reason;
         }

@@ -150,6 +150,11 @@ struct Plan {
     }
 };
 
+// "find" of "find(f1;vf2;", as glslang calls functions.
+inline std::string PlainName(const std::string& function) {
+    return function.substr(0, function.find('('));
+}
+
 // Fails, naming what it is, on what cannot be evaluated: another stage than compute, an instruction
 // without a row in operations.def, numbers of other than 32 bits, pointers that are data,
 // recursion, too many values.

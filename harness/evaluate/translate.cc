@@ -32,6 +32,16 @@ Error Translator::Wrong(const Instruction& instruction, const std::string& reaso
         const spirv::Line& line = module_.lines[instruction.line];
         where = line.file + ":" + std::to_string(line.line);
     }
+    for (const spirv::Function& function : module_.functions) {
+        const auto stands = [&](const spirv::Block& block) {
+            return block.instructions.front().word <= instruction.word &&
+                   instruction.word <= block.instructions.back().word;
+        };
+        if (!function.name.empty() &&
+            std::any_of(function.blocks.begin(), function.blocks.end(), stands)) {
+            where += ", in " + PlainName(function.name);
+        }
+    }
     return Error{where + ": " + spirv::OpName(instruction.op) + ": " + reason};
 }
 
@@ -62,7 +72,8 @@ Result<std::shared_ptr<const Plan>> Translator::Translate() {
         if (module_.types[result].kind != Kind::kVoid) {
             auto size = SizeOf(result);
             if (!size) {
-                return Error{"function '" + function.name + "': " + size.error().message};
+                return Error{"function '" + PlainName(function.name) +
+                             "': " + size.error().message};
             }
             ETALON_TRY(place, Allocate(result));
             plan_->functions[i].result = place;
@@ -132,7 +143,7 @@ Status<> Translator::CheckRecursion() {
         at = *std::find_if(calls[at].begin(), calls[at].end(),
                            [&](std::uint32_t to) { return !ordered[to]; });
     }
-    return Error{"recursion: the function '" + module_.functions[at].name +
+    return Error{"recursion: the function '" + PlainName(module_.functions[at].name) +
                  "' calls itself, by itself or by others"};
 }
 

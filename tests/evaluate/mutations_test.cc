@@ -1,11 +1,14 @@
 // Modules with words changed, cut and doubled at random: each is refused with a reason, or runs, or
-// ends with one. ETALON_MUTATIONS=N asks for another number of them.
+// ends with one; by numbers of every kind and by intervals. ETALON_MUTATIONS=N asks for another
+// number of them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <random>
 
 #include "evaluate/big.h"
+#include "evaluate/bound.h"
 #include "evaluate/probed.h"
 #include "spirv/read.h"
 
@@ -43,6 +46,19 @@ std::vector<std::vector<std::uint32_t>> Modules() {
     return modules;
 }
 
+constexpr std::uint32_t kRows = 4;
+
+template <typename Number>
+void RunAs(const std::shared_ptr<const evaluate::Plan>& plan,
+           const std::vector<evaluate::Texture>& images, evaluate::Limits limits,
+           const std::vector<std::uint32_t>& in) {
+    evaluate::Evaluator<Number> evaluator(plan, images, limits);
+    std::vector<std::uint32_t> out(kRows);
+    if (const auto done = evaluator.Run({kRows, in, out}); !done) {
+        EXPECT_FALSE(done.error().message.empty());
+    }
+}
+
 // What became of a module; 0 refused by the reader, 1 by the translation, 2 run.
 int Try(const std::vector<std::uint32_t>& words) {
     Result<spirv::Module> module = spirv::ReadModule(words);
@@ -55,17 +71,45 @@ int Try(const std::vector<std::uint32_t>& words) {
         EXPECT_FALSE(plan.error().message.empty());
         return 1;
     }
-    Image image{2, 2, std::vector<float>(16, 0.25f)};
+    const Image image{2, 2, std::vector<float>(16, 0.25f)};
     const std::vector<evaluate::Texture> images((*plan)->images,
                                                 {std::make_shared<Image>(image), Sampling{}});
     evaluate::Limits limits;
     limits.steps = 200;
-    evaluate::Evaluator<float> evaluator(*plan, images, limits);
     const std::vector<std::uint32_t> in = {0x3f000000u, 0xbf800000u, 0x7fc00000u, 0,
                                            1,           2,           3,           0xffffffffu};
-    std::vector<std::uint32_t> out(4);
-    (void)evaluator.Run({4, in, out});
+    RunAs<float>(*plan, images, limits, in);
+    RunAs<double>(*plan, images, limits, in);
+    RunAs<evaluate::Big>(*plan, images, limits, in);
+    const auto bounds = evaluate::BoundOutputs(*plan, images, *evaluate::FindProfile("vulkan-1.3"),
+                                               kRows, in, 1, limits);
+    EXPECT_EQ(bounds.size(), kRows);
     return 2;
+}
+
+// The place of the instruction that holds the word, in a module that may be none.
+std::size_t StartOf(const std::vector<std::uint32_t>& words, std::size_t at) {
+    std::size_t start = kHeaderWords;
+    while (start < at) {
+        const std::size_t next = start + std::max<std::size_t>(words[start] >> 16, 1);
+        if (next > at) {
+            break;
+        }
+        start = next;
+    }
+    return start;
+}
+
+// An instruction takes the name of another one, or swaps its last operands: what often is right.
+void TurnInstruction(std::vector<std::uint32_t>& words, std::size_t at, std::size_t other) {
+    const std::size_t start = StartOf(words, at);
+    const std::size_t length = words[start] >> 16;
+    const std::size_t model = StartOf(words, other);
+    if (words[model] >> 16 == length && model != start) {
+        words[start] = words[model];
+    } else if (length >= 3 && start + length <= words.size()) {
+        std::swap(words[start + length - 1], words[start + length - 2]);
+    }
 }
 
 TEST(Mutations, AreRefusedOrRun) {
@@ -105,6 +149,11 @@ TEST(Mutations, AreRefusedOrRun) {
                     break;
                 case 6:
                     words.insert(place, words[below(words.size())]);
+                    break;
+                case 7:
+                case 8:
+                case 9:
+                    TurnInstruction(words, at, below(words.size()));
                     break;
                 default:
                     // Another id: the kind of change that gets furthest.
