@@ -48,8 +48,9 @@ struct ExpectedFailure {
     std::string recipe;   // pattern
     std::string law;      // pattern of the law's name; empty: whatever was refused
     std::string verdict;  // "fail", "nonconforming", "crash" or "timeout"
-    std::string status;   // "bug", "method", "unimplemented" or "undefined" (the specification
-                          // leaves the value open)
+    std::string status;   // "bug" (of the driver), "method" (wrong mathematics), "rounding" (right
+                          // mathematics that loses its digits), "unimplemented" or "undefined"
+                          // (the specification leaves the value open)
     std::string cause;
     std::string link;
     std::optional<Figure> figure;  // of a "fail": no other failure is this one

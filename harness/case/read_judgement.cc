@@ -264,10 +264,11 @@ Result<ExpectedFailure> ReadExpectedFailure(const TomlReader& reader, const toml
     ETALON_TRY(status, reader.TextAt(table, "status", std::nullopt));
     ETALON_TRY(cause, reader.TextAt(table, "cause", std::nullopt));
     ETALON_TRY(link, reader.TextAt(table, "link", ""));
-    constexpr std::string_view kStatuses[] = {"bug", "method", "unimplemented", "undefined"};
+    constexpr std::string_view kStatuses[] = {"bug", "method", "rounding", "unimplemented",
+                                              "undefined"};
     if (std::find(std::begin(kStatuses), std::end(kStatuses), status) == std::end(kStatuses)) {
         return reader.Fail(*table.get("status"),
-                           "'status' must be bug, method, unimplemented or undefined");
+                           "'status' must be bug, method, rounding, unimplemented or undefined");
     }
     constexpr std::string_view kVerdicts[] = {"fail", "nonconforming", "crash", "timeout"};
     if (std::find(std::begin(kVerdicts), std::end(kVerdicts), verdict) == std::end(kVerdicts)) {

@@ -363,8 +363,9 @@ TEST_F(CaseTest, RefusesWrongLawsAndFailures) {
     EXPECT_EQ(failure(device + "status = \"bug\"\ncause = \"\""),
               "cases/x.toml:12: 'cause' is empty");
     EXPECT_EQ(failure(device + "cause = \"why\""), "cases/x.toml:9: 'status' is missing");
-    EXPECT_EQ(failure(device + "status = \"bad\"\ncause = \"why\""),
-              "cases/x.toml:11: 'status' must be bug, method, unimplemented or undefined");
+    EXPECT_EQ(
+        failure(device + "status = \"bad\"\ncause = \"why\""),
+        "cases/x.toml:11: 'status' must be bug, method, rounding, unimplemented or undefined");
     EXPECT_EQ(failure("status = \"bug\"\ncause = \"why\""), "");
     EXPECT_EQ(failure(device + "law = \"l\"\nstatus = \"bug\"\ncause = \"why\""),
               "cases/x.toml:11: no law is called 'l'");

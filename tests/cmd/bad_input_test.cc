@@ -73,6 +73,12 @@ TEST_F(BadInput, SourceThatIsWrong) {
                 StartsWith("g.glsl:3: '#error'"));
     EXPECT_THAT(ProbeOf("#if 1\nfloat f(float x) { return x; }\n"), HasSubstr("missing #endif"));
     EXPECT_THAT(ProbeOf("float f(float x) {\n"), StartsWith("g.glsl:"));
+    EXPECT_EQ(ProbeOf("float f(float x) { return x > 1.0 ? f(0.5 * x) : x; }\n"),
+              "g.glsl: recursion: function 'f' calls itself");
+    EXPECT_THAT(ProbeOf("float g(float x);\nfloat f(float x) { return x > 1.0 ? g(x) : x; }\n"
+                        "float g(float x) { return f(0.5 * x); }\n"),
+                MatchesRegex("g.glsl: recursion: function '[fg]' calls '[fg]', which leads back to "
+                             "it"));
     EXPECT_EQ(ProbeOf("float height(vec2 uv);\nfloat f(float x) { return height(vec2(x)); }\n"),
               "g.glsl: function 'height' is declared but not defined; --with FILE adds a source "
               "that defines it");
