@@ -1,4 +1,4 @@
-// Big: binary floating-point numbers of 128 bits of significand and an exponent without practical
+// Big: binary floating-point numbers of 576 bits of significand and an exponent without practical
 // end, by MPFR; each operation is rounded once, to nearest even. See Ops in number.h.
 #pragma once
 
@@ -9,7 +9,9 @@
 
 namespace etalon::evaluate {
 
-inline constexpr int kBigBits = 128;
+// Sums and differences of products of any two floats are exact: their bits lie between 2^-298 and
+// 2^256. Where 1 - x * x is rounded, a small x looks like a wrong method.
+inline constexpr int kBigBits = 576;
 
 // Holds its digits itself, so that columns of it can be copied.
 struct Big {

@@ -48,7 +48,7 @@ class Blame {
     }
     // M by binary64.
     Readings ReadingsAt(const JudgedColumn& column, std::uint32_t word, std::uint64_t row) const;
-    // M by 128 bits.
+    // M by Big.
     Parts ExactParts(const JudgedColumn& column, std::uint32_t word, std::uint64_t row);
     Culprit LawCulprit(const PreparedLaw& law, std::size_t pair, std::uint32_t left,
                        std::uint32_t right, std::uint64_t row, const Sides<double>& method) const;

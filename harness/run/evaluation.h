@@ -52,7 +52,7 @@ class Evaluation {
     const Result<Values>& Get();
     const Result<std::vector<Allowed>>& Bounds(const evaluate::Profile& profile);
 
-    // M by 128 bits, of an output at a row; by binary64 where the evaluation fails at that
+    // M by Big, of an output at a row; by binary64 where the evaluation fails at that
     // precision. Only where Get has not failed. A row is evaluated once.
     double MethodAt(std::uint64_t row, std::size_t column, Scalar scalar);
 
