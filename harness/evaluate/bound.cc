@@ -13,12 +13,13 @@
 namespace etalon::evaluate {
 
 std::uint32_t Context<Interval>::Decide(std::uint32_t lane, std::uint64_t alternatives) {
+    // What is decided is no choice, in the first run of a way as in those that follow it.
+    if (alternatives == 1 || lost.Has(lane)) {
+        return 0;
+    }
     Way& way = ways[lane];
     if (way.at < way.taken.size()) {
         return way.taken[way.at++];
-    }
-    if (alternatives == 1 || lost.Has(lane)) {
-        return 0;
     }
     if (alternatives > Way::kMostAlternatives || way.taken.size() >= most_choices) {
         Lose(lane);

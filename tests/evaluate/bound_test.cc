@@ -188,12 +188,6 @@ TEST(Profile, IsFoundByItsName) {
     }
 }
 
-TEST(Bound, OfAnIntAreItsOwnBits) {
-    const Bound bound = BoundAt("int(a) + 1", {2.0f});
-    EXPECT_EQ(bound.kind, Bound::Kind::kWord);
-    EXPECT_EQ(bound.word, 3u);
-}
-
 TEST(Bound, OfAZeroTimesWhatOverflowsIsAnything) {
     EXPECT_EQ(BoundAt("a + (b * c) * d", {1.0f, 1e30f, 1e30f, 0.0f}).kind, Bound::Kind::kUnbounded);
     EXPECT_BOUND(BoundAt("a + (b * c) * d", {1.0f, 1e10f, 1e10f, 0.0f}), 1.0f, 1.0f);
@@ -207,6 +201,23 @@ TEST(Bound, OfAHalfAreTheNeighbours) {
     EXPECT_BOUND(BoundAt(halves + ".x", {0.0f, 1.0f}), 0.0f, 0.0f);
     // What overflows leaves the other half alone.
     EXPECT_BOUND(BoundAt(halves + ".y", {1e30f, 0x1p-14f}), 0x1p-14f, 0x1p-14f);
+}
+
+// A way that is run again passes what was decided before its choices, too.
+TEST(Bound, OfWaysAfterADecidedBitCast) {
+    const char* functions =
+        "float f(float a, float b) { float y = intBitsToFloat(floatBitsToInt(a));\n"
+        "  return a / 3.0 > b ? y : 2.0 * y; }\n";
+    EXPECT_BOUND(BoundAt("f(a, b)", {1.0f, 1.0f / 3.0f}, functions), 1.0f, 2.0f);
+}
+
+// Integers reach the outputs by bit casts, as floats do.
+TEST(Bound, OfIntegersAreTheirWords) {
+    for (const float a : {-3.0f, 0.0f, 13.0f}) {
+        const Bound bound = BoundAt("int(a) + 1", {a});
+        EXPECT_EQ(bound.kind, Bound::Kind::kWord);
+        EXPECT_EQ(static_cast<std::int32_t>(bound.word), static_cast<std::int32_t>(a) + 1);
+    }
 }
 
 }  // namespace
