@@ -21,16 +21,18 @@ using testing::Pair;
 
 // Null where the device is not here.
 Runner* RunnerOf(const std::string& name) {
-    static std::map<std::string, DeviceSet>* sets = new std::map<std::string, DeviceSet>;
-    if (!sets->contains(name)) {
+    static std::map<std::string, DeviceSet> sets;
+    if (!sets.contains(name)) {
         DeviceChoice choice;
         choice.patterns = {name};
         Result<DeviceSet> devices = OpenDevices(choice);
-        (*sets)[name] = devices ? std::move(*devices) : DeviceSet{};
+        sets[name] = devices ? std::move(*devices) : DeviceSet{};
     }
-    const auto& runners = (*sets)[name].runners;
+    const auto& runners = sets[name].runners;
     return runners.empty() ? nullptr : runners.front().get();
 }
+
+constexpr std::uint64_t kMostRows = 1000;
 
 // One case on one device, as `etalon run` has it.
 class Judged {
@@ -42,7 +44,7 @@ class Judged {
         EXPECT_TRUE(read.ok()) << read.error().message;
         Result<PreparedCase> prepared = at.empty() ? Prepare(*read) : PrepareAt(*read, at);
         EXPECT_TRUE(prepared.ok()) << prepared.error().message;
-        prepared_ = std::move(*prepared);
+        prepared_ = prepared->table.rows > kMostRows ? Thin(*prepared, kMostRows) : *prepared;
         record = RunCase(prepared_, runner, DefaultRecipe(runner.info()), evaluations_, {});
     }
 
