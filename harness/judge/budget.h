@@ -40,7 +40,8 @@ double Excess(const Allowed& allowed, std::uint32_t word);
 
 // Judges by what is allowed alone. `used` is the distance from the interval's middle as a share of
 // half its width: at most 1 inside; 0 inside an interval that is a point, a word or infinite;
-// infinity for what is no multiple of the quantum. The errors are Excess and the same in absolute terms. Not for what is unbounded.
+// infinity for what is no multiple of the quantum. The errors are Excess and the same in absolute
+// terms. Not for what is unbounded.
 Judgement JudgeAllowed(const Allowed& allowed, std::uint32_t word);
 
 // One value by all readings. Numbers of ints, uints and bools are those of WordValue.

@@ -45,7 +45,7 @@ Explanation Explained(std::uint32_t steps) {
     device.record = Refused();
     device.record.culprits = {{"rounding", 1}};
     device.record.profile = "glsl-4.60";
-    device.record.worst->allowed = AllowedValue{true, {"0.25", "0x1p-2"}, {"0.5", "0x1p-1"}, 0};
+    device.record.worst->allowed = AllowedValue{true, {"0.25", "0x1p-2"}, {"0.5", "0x1p-1"}, 0, {}};
     device.record.worst->budget = Budget{"rounding", false, PartSeen{0, 0}, {0.25, 7}, {0, 0}};
     device.result = {"0.5", "0x1p-1"};
     device.parting.text = "every operation yields what binary32 does";
