@@ -74,9 +74,13 @@ ordered_json ObservationJson(const Observation& observation) {
 
 // What the record was held to, and what its errors are made of.
 ordered_json SpecificationJson(const Record& record) {
-    ordered_json json = {{"profile", record.profile},  {"unevaluated", record.unevaluated},
-                         {"held", record.held},        {"unbounded", record.unbounded},
-                         {"outside", record.outside},  {"outside_in", record.outside_in},
+    ordered_json json = {{"profile", record.profile},
+                         {"unevaluated", record.unevaluated},
+                         {"held", record.held},
+                         {"unbounded", record.unbounded},
+                         {"void_bounds", record.void_bounds},
+                         {"outside", record.outside},
+                         {"outside_in", record.outside_in},
                          {"unjudged", record.unjudged}};
     json["worst_outside"] =
         record.worst_outside ? ObservationJson(*record.worst_outside) : ordered_json(nullptr);

@@ -115,6 +115,7 @@ struct Record {
     std::string profile;               // the specification that the device is held to
     std::uint64_t held = 0;            // values that were held to it
     std::uint64_t unbounded = 0;       // of these, where it allows everything
+    std::uint64_t void_bounds = 0;     // of these unbounded ones, where Etalon's own bound is wrong
     std::uint64_t outside = 0;         // of these, which it does not allow
     std::vector<std::string> outside_in;  // outputs and laws that hold them
     std::uint64_t unjudged = 0;           // values that `accept = { spec = ... }` has no bound for

@@ -208,7 +208,7 @@ std::string SummaryText(const RunRecord& run) {
     std::map<std::string, int> causes;
     std::map<std::string, int> unevaluated;
     struct Held {
-        std::uint64_t values = 0, unbounded = 0, outside = 0;
+        std::uint64_t values = 0, unbounded = 0, outside = 0, void_bounds = 0;
     };
     std::map<std::string, Held> held_to;
     std::string flakes;
@@ -220,6 +220,7 @@ std::string SummaryText(const RunRecord& run) {
             held.values += record.held;
             held.unbounded += record.unbounded;
             held.outside += record.outside;
+            held.void_bounds += record.void_bounds;
         }
         Count& count = by_device[record.device];
         switch (record.verdict) {
@@ -275,6 +276,11 @@ std::string SummaryText(const RunRecord& run) {
     for (const auto& [profile, held] : held_to) {
         text += format("held to {}: {} values, {} unbounded, {} outside\n", profile, held.values,
                        held.unbounded, held.outside);
+        if (held.void_bounds > 0) {
+            text +=
+                format("a fault of Etalon's own: {} bounds by {} leave out the strict evaluation\n",
+                       held.void_bounds, profile);
+        }
     }
     for (const auto& [reason, times] : unevaluated) {
         text += format("not evaluated, {} times: {}\n", times, reason);

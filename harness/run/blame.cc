@@ -70,13 +70,13 @@ Blame::Blame(Evaluation& evaluation, const Table& table, const evaluate::Profile
         record.unevaluated = values.error().message;
         return;
     }
-    const Result<std::vector<Allowed>>& allowed = evaluation.Bounds(profile);
-    if (!allowed) {
-        record.unevaluated = allowed.error().message;
+    const Result<Evaluation::Bounds>& bounds = evaluation.BoundsBy(profile);
+    if (!bounds) {
+        record.unevaluated = bounds.error().message;
         return;
     }
     values_ = &*values;
-    allowed_ = &*allowed;
+    bounds_ = &*bounds;
 }
 
 Readings Blame::ReadingsAt(const JudgedColumn& column, std::uint32_t word,
@@ -123,6 +123,7 @@ void Blame::Hold(const std::string& what, const JudgedColumn& column,
         const Allowed& allowed = AllowedAt(column.column, row);
         const double excess = Excess(allowed, words[row]);
         record_.unbounded += allowed.kind == Allowed::Kind::kUnbounded ? 1 : 0;
+        record_.void_bounds += bounds_->is_void[IndexOf(column.column, row)] ? 1 : 0;
         if (excess == 0) {
             continue;
         }

@@ -39,12 +39,12 @@ class Blame {
                     Observation& observation);
 
   private:
-    bool IsKnown() const { return values_ != nullptr && allowed_ != nullptr; }
+    bool IsKnown() const { return values_ != nullptr && bounds_ != nullptr; }
     std::size_t IndexOf(std::size_t column, std::uint64_t row) const {
         return column * table_.rows + row;
     }
     const Allowed& AllowedAt(std::size_t column, std::uint64_t row) const {
-        return (*allowed_)[IndexOf(column, row)];
+        return bounds_->allowed[IndexOf(column, row)];
     }
     // M by binary64.
     Readings ReadingsAt(const JudgedColumn& column, std::uint32_t word, std::uint64_t row) const;
@@ -63,7 +63,7 @@ class Blame {
     const Table& table_;
     Record& record_;
     const Evaluation::Values* values_ = nullptr;
-    const std::vector<Allowed>* allowed_ = nullptr;
+    const Evaluation::Bounds* bounds_ = nullptr;
 };
 
 }  // namespace etalon

@@ -148,12 +148,13 @@ struct Bench {
 void JudgeSpec(const JudgedColumn& column, std::span<const std::uint32_t> words, const Bench& bench,
                Evaluation& evaluation, Blame& blame) {
     const evaluate::Profile& spec = column.own_spec ? ProfileOf(bench.runner.info()) : *column.spec;
-    const Result<std::vector<Allowed>>& bounds = evaluation.Bounds(spec);
+    const Result<Evaluation::Bounds>& bounds = evaluation.BoundsBy(spec);
     if (!bounds) {
         bench.record.unjudged += words.size();
         return;
     }
-    const auto allowed = std::span(*bounds).subspan(column.column * words.size(), words.size());
+    const auto allowed =
+        std::span(bounds->allowed).subspan(column.column * words.size(), words.size());
     Summary summary;
     std::uint64_t first = Summary::kNone;
     for (std::uint64_t row = 0; row < words.size(); ++row) {

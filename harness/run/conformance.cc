@@ -51,16 +51,32 @@ struct Shared {
     std::unique_ptr<Evaluations> evaluations;
     RepeatContext repeat;
     std::vector<Planned> plan;
-    std::map<std::size_t, std::size_t> jobs;  // index in the plan -> index in the schedule
+    std::map<std::size_t, std::size_t> jobs;     // index in the plan -> index in the schedule
+    std::map<std::size_t, std::size_t> untaken;  // by case: jobs whose record was not taken yet
     std::unique_ptr<Schedule> schedule;
     RunRecord record;
 
+    const PreparedCase& PreparedFor(const Planned& planned) const {
+        const auto some = thin.find({planned.case_index, planned.rows});
+        return some == thin.end() ? cases[planned.case_index] : some->second;
+    }
+    // What was evaluated for a case takes memory until its last record is there.
+    Record Take(std::size_t index) {
+        Record taken = schedule->Take(jobs.at(index));
+        const std::size_t case_index = plan[index].case_index;
+        if (--untaken[case_index] == 0) {
+            for (const Planned& planned : plan) {
+                if (planned.case_index == case_index) {
+                    evaluations->Forget(PreparedFor(planned).table.words);
+                }
+            }
+        }
+        return taken;
+    }
     Record Run(const Planned& planned) const {
         if (planned.recipe) {
-            const auto some = thin.find({planned.case_index, planned.rows});
-            const PreparedCase& prepared =
-                some == thin.end() ? cases[planned.case_index] : some->second;
-            return RunCase(prepared, *planned.runner, *planned.recipe, *evaluations, repeat);
+            return RunCase(PreparedFor(planned), *planned.runner, *planned.recipe, *evaluations,
+                           repeat);
         }
         Record skipped;
         skipped.case_path = cases[planned.case_index].source.path;
@@ -78,7 +94,7 @@ class CaseTest : public ::testing::Test {
     CaseTest(Shared& shared, std::size_t index) : shared_(shared), index_(index) {}
 
     void TestBody() override {
-        const Record record = shared_.schedule->Take(shared_.jobs.at(index_));
+        const Record record = shared_.Take(index_);
         RecordProperty("verdict", std::string(VerdictName(record.verdict)));
         RecordProperty("seed", std::to_string(record.seed));
         if (record.worst) {
@@ -138,10 +154,12 @@ class Starter : public ::testing::EmptyTestEventListener {
         }
         std::vector<Schedule::Job> jobs;
         shared_.jobs.clear();
+        shared_.untaken.clear();
         for (std::size_t i = 0; i < shared_.plan.size(); ++i) {
             const Planned& planned = shared_.plan[i];
             if (selected.contains(planned.name)) {
                 shared_.jobs[i] = jobs.size();
+                ++shared_.untaken[planned.case_index];
                 jobs.push_back({planned.runner, [this, &planned] { return shared_.Run(planned); }});
             }
         }

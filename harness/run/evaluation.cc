@@ -1,6 +1,5 @@
 #include "run/evaluation.h"
 
-#include <bit>
 #include <optional>
 #include <utility>
 
@@ -83,19 +82,25 @@ struct Evaluation::State {
         return found;
     }
 
-    Result<std::vector<Allowed>> Bound(const evaluate::Profile& profile) const {
+    // `known` are the values where there are any.
+    Result<Bounds> Bound(const evaluate::Profile& profile, const Result<Values>& known) const {
         if (!plan) {
             return plan.error();
         }
         const std::vector<evaluate::Bound> found =
             evaluate::BoundOutputs(*plan, images, profile, static_cast<std::uint32_t>(rows.rows),
                                    rows.words, output_words);
-        std::vector<Allowed> allowed;
-        allowed.reserve(found.size());
-        for (const evaluate::Bound& bound : found) {
-            allowed.push_back(AllowedOf(bound));
+        Bounds made;
+        made.allowed.reserve(found.size());
+        made.is_void.resize(found.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            made.allowed.push_back(AllowedOf(found[i]));
+            if (known && Excess(made.allowed[i], known->strict[i]) > 0) {
+                made.allowed[i] = Allowed{};
+                made.is_void[i] = true;
+            }
         }
-        return allowed;
+        return made;
     }
 
     Method ExactAt(std::uint64_t row) const {
@@ -122,7 +127,7 @@ struct Evaluation::State {
 
     struct Bounded {
         std::once_flag once;
-        std::optional<Result<std::vector<Allowed>>> allowed;
+        std::optional<Result<Bounds>> bounds;
     };
 
     Rows rows;
@@ -150,14 +155,14 @@ const Result<Evaluation::Values>& Evaluation::Get() {
     return *state_->values;
 }
 
-const Result<std::vector<Allowed>>& Evaluation::Bounds(const evaluate::Profile& profile) {
+const Result<Evaluation::Bounds>& Evaluation::BoundsBy(const evaluate::Profile& profile) {
     State::Bounded* bounded = nullptr;
     {
         const std::lock_guard lock(state_->mutex);
         bounded = &state_->bounds[&profile];
     }
-    std::call_once(bounded->once, [&] { bounded->allowed = state_->Bound(profile); });
-    return *bounded->allowed;
+    std::call_once(bounded->once, [&] { bounded->bounds = state_->Bound(profile, Get()); });
+    return *bounded->bounds;
 }
 
 double Evaluation::MethodAt(std::uint64_t row, std::size_t column, Scalar scalar) {
@@ -175,14 +180,13 @@ Evaluation& Evaluations::Of(const Call& call, const Signature& signature, const 
                             const Rows& rows) {
     Recipe plain;
     plain.precise = recipe.precise && recipe.form == Form::kSpirv;
-    const std::string key = Programs::KeyOf(call, plain) +
-                            std::to_string(std::bit_cast<std::uintptr_t>(rows.words.data()));
+    const std::string key = Programs::KeyOf(call, plain);
     const Programs::Compiled* compiled = nullptr;
     if (signature.stage == Stage::kCompute) {
         compiled = &programs_->Get(call, signature, plain, Target{}, {});
     }
     const std::lock_guard lock(mutex_);
-    auto& entry = entries_[key];
+    auto& entry = entries_[rows.words.data()][key];
     if (!entry && compiled == nullptr) {
         entry = std::make_unique<Evaluation>("its sources compile for fragment shaders only");
     } else if (!entry && !*compiled) {
@@ -191,6 +195,11 @@ Evaluation& Evaluations::Of(const Call& call, const Signature& signature, const 
         entry = std::make_unique<Evaluation>(**compiled, rows);
     }
     return *entry;
+}
+
+void Evaluations::Forget(std::span<const std::uint32_t> words) {
+    const std::lock_guard lock(mutex_);
+    entries_.erase(words.data());
 }
 
 }  // namespace etalon

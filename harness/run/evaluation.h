@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,10 +48,17 @@ class Evaluation {
         Method method;
     };
 
+    // What is allowed, likewise by columns. R is a conforming result: where a bound leaves it out
+    // the bound is wrong, which is Etalon's fault and no driver's; it is counted and void.
+    struct Bounds {
+        std::vector<Allowed> allowed;
+        std::vector<bool> is_void;
+    };
+
     // Fail, in one short reason, where the program cannot be evaluated. The references stay valid
     // as long as this object.
     const Result<Values>& Get();
-    const Result<std::vector<Allowed>>& Bounds(const evaluate::Profile& profile);
+    const Result<Bounds>& BoundsBy(const evaluate::Profile& profile);
 
     // M by Big, of an output at a row; by binary64 where the evaluation fails at that
     // precision. Only where Get has not failed. A row is evaluated once.
@@ -73,10 +81,14 @@ class Evaluations {
     Evaluation& Of(const Call& call, const Signature& signature, const Recipe& recipe,
                    const Rows& rows);
 
+    // Ends the evaluations at the rows of these words, of which none may be in use.
+    void Forget(std::span<const std::uint32_t> words);
+
   private:
     std::shared_ptr<Programs> programs_;
     std::mutex mutex_;
-    std::map<std::string, std::unique_ptr<Evaluation>> entries_;
+    // By the address of the rows' words, then by program.
+    std::map<const std::uint32_t*, std::map<std::string, std::unique_ptr<Evaluation>>> entries_;
 };
 
 }  // namespace etalon

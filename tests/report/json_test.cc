@@ -69,6 +69,7 @@ TEST(RunJson, TellsOfTheBudgetAndTheSpecification) {
     EXPECT_EQ(held["profile"], "vulkan-1.3");
     EXPECT_EQ(held["held"], 300);
     EXPECT_EQ(held["unbounded"], 20);
+    EXPECT_EQ(held["void_bounds"], 0);
     EXPECT_EQ(held["outside"], 3);
     EXPECT_EQ(held["outside_in"], json::parse(R"(["result.x"])"));
     EXPECT_EQ(held["worst_outside"]["allowed"], json::parse(R"({

@@ -236,6 +236,15 @@ TEST(SummaryText, CountsByDevice) {
         "  optics/fresnel on osmesa:llvmpipe (glsl): ended by signal 9 (Killed)\n");
 }
 
+TEST(SummaryText, OwnsUpToWrongBounds) {
+    RunRecord run;
+    run.records = {Outside()};
+    run.records[0].void_bounds = 2;
+    EXPECT_THAT(SummaryText(run),
+                HasSubstr("\na fault of Etalon's own: 2 bounds by vulkan-1.3 leave out the strict "
+                          "evaluation\n"));
+}
+
 TEST(SummaryText, IsATableWithoutRecordsToo) {
     RunRecord run;
     run.devices = {Llvmpipe()};

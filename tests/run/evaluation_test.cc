@@ -70,20 +70,22 @@ TEST_F(EvaluationTest, KnowsWhatIsNoFloat) {
 TEST_F(EvaluationTest, BoundsEachOutput) {
     Define("float f(float x) { return x / 3.0; }\n");
     for (const char* name : {"vulkan-1.3", "glsl-4.60"}) {
-        const auto& bounds = Of().Bounds(*evaluate::FindProfile(name));
+        const auto& bounds = Of().BoundsBy(*evaluate::FindProfile(name));
         ASSERT_TRUE(bounds) << bounds.error().message;
-        ASSERT_EQ(bounds->size(), 2u);
-        ASSERT_EQ((*bounds)[0].kind, Allowed::Kind::kNumber);
-        EXPECT_LT((*bounds)[0].low, 1.0f / 3.0f);
-        EXPECT_GT((*bounds)[0].high, 1.0f / 3.0f);
-        EXPECT_EQ(Excess((*bounds)[1], std::bit_cast<std::uint32_t>(1.0f)), 0);
-        EXPECT_GT(Excess((*bounds)[1], std::bit_cast<std::uint32_t>(1.001f)), 0);
+        const std::vector<Allowed>& allowed = bounds->allowed;
+        ASSERT_EQ(allowed.size(), 2u);
+        ASSERT_EQ(allowed[0].kind, Allowed::Kind::kNumber);
+        EXPECT_LT(allowed[0].low, 1.0f / 3.0f);
+        EXPECT_GT(allowed[0].high, 1.0f / 3.0f);
+        EXPECT_THAT(bounds->is_void, ElementsAre(false, false));
+        EXPECT_EQ(Excess(allowed[1], std::bit_cast<std::uint32_t>(1.0f)), 0);
+        EXPECT_GT(Excess(allowed[1], std::bit_cast<std::uint32_t>(1.001f)), 0);
     }
     Define("int f(float x) { return 2 * int(x); }\n");
-    const auto& words = Of().Bounds(*evaluate::FindProfile("vulkan-1.3"));
+    const auto& words = Of().BoundsBy(*evaluate::FindProfile("vulkan-1.3"));
     ASSERT_TRUE(words) << words.error().message;
-    EXPECT_EQ((*words)[1].kind, Allowed::Kind::kWord);
-    EXPECT_EQ((*words)[1].word, 6u);
+    EXPECT_EQ(words->allowed[1].kind, Allowed::Kind::kWord);
+    EXPECT_EQ(words->allowed[1].word, 6u);
 }
 
 TEST_F(EvaluationTest, FollowsTheProgramThatARecipeMeans) {
@@ -104,10 +106,19 @@ TEST_F(EvaluationTest, FollowsTheProgramThatARecipeMeans) {
 TEST_F(EvaluationTest, SaysWhyThereIsNone) {
     Define("float f(float x) { return dFdx(x); }\n");
     EXPECT_EQ(Of().Get().error().message, "its sources compile for fragment shaders only");
-    EXPECT_EQ(Of().Bounds(*evaluate::FindProfile("vulkan-1.3")).error().message,
+    EXPECT_EQ(Of().BoundsBy(*evaluate::FindProfile("vulkan-1.3")).error().message,
               "its sources compile for fragment shaders only");
     Define("float f(float x) { while (x > 0.0) { x += 1.0; } return x; }\n");
     EXPECT_THAT(Of().Get().error().message, HasSubstr("a loop does not end"));
+}
+
+TEST_F(EvaluationTest, IsMadeAnewWhereItWasForgotten) {
+    Define("float f(float x) { return x; }\n");
+    (void)Of().Get();
+    inputs_[0] = inputs_[1];
+    EXPECT_EQ(Float(Of().Get()->strict[0]), 1.0f);
+    evaluations_.Forget(inputs_);
+    EXPECT_EQ(Float(Of().Get()->strict[0]), 3.0f);
 }
 
 TEST_F(EvaluationTest, IsMadeOnceForAllThreads) {
