@@ -108,11 +108,14 @@ class Closer {
         if (!values) {
             return values.error();
         }
-        const Result<std::vector<Allowed>>& bounds = evaluation.Bounds(ProfileOf(device_));
+        const Result<Evaluation::Bounds>& bounds = evaluation.BoundsBy(ProfileOf(device_));
         if (!bounds) {
             return bounds.error();
         }
-        const Allowed& allowed = (*bounds)[column];
+        if (bounds->is_void[column]) {
+            return Error{"the strict evaluation in binary32 lies outside too"};
+        }
+        const Allowed& allowed = bounds->allowed[column];
         if (allowed.kind == Allowed::Kind::kUnbounded) {
             return Error{"at this input alone there is no bound"};
         }
@@ -124,9 +127,6 @@ class Closer {
         finding_.strict = Told(scalar, values->strict[column]);
         ETALON_TRY(actual, ParseWord(scalar, record_.worst_outside->actual.hex));
         finding_.actual = Told(scalar, actual);
-        if (Excess(allowed, finding_.strict.word) > 0) {
-            return Error{"the strict evaluation in binary32 lies outside too"};
-        }
         if (Excess(allowed, actual) == 0) {
             return Error{"at this input alone the result is allowed"};
         }
