@@ -8,6 +8,7 @@
 #include "evaluate/interval_context.h"
 #include "evaluate/interval_image.h"
 #include "evaluate/interval_operations.h"
+#include "evaluate/interval_words.h"
 #include "evaluate/run.h"
 
 namespace etalon::evaluate {
@@ -21,7 +22,7 @@ std::uint32_t Context<Interval>::Decide(std::uint32_t lane, std::uint64_t altern
     if (way.at < way.taken.size()) {
         return way.taken[way.at++];
     }
-    if (alternatives > Way::kMostAlternatives || way.taken.size() >= most_choices) {
+    if (alternatives > most_choices || way.taken.size() >= most_choices) {
         Lose(lane);
         return 0;
     }
@@ -75,6 +76,70 @@ const TexelRange& Context<Interval>::RangeOf(const Image& image, std::uint32_t l
         }
     }
     return found->second;
+}
+
+WordRange Context<Interval>::RangeAt(Machine<Interval>& m, std::uint32_t column,
+                                     std::uint32_t lane) {
+    const std::uint32_t first = m.RawWords(column)[lane];
+    const bool is_open = has_ranges && open[column].Has(lane);
+    return {first, is_open ? lasts[std::size_t{column} * kLanes + lane] : first};
+}
+
+void Context<Interval>::SetRange(Machine<Interval>& m, std::uint32_t column, std::uint32_t lane,
+                                 WordRange range) {
+    m.RawWords(column)[lane] = range.first;
+    if (range.IsPoint()) {
+        return;
+    }
+    if (((range.first ^ range.last) & kSignBit) != 0 || range.first > range.last) {
+        Lose(lane);
+        return;
+    }
+    open.resize(m.plan->columns.words);
+    lasts.resize(m.words.size());
+    open[column].Add(lane);
+    lasts[std::size_t{column} * kLanes + lane] = range.last;
+    has_ranges = true;
+}
+
+void Context<Interval>::CopyRange(Machine<Interval>& m, std::uint32_t from, std::uint32_t to) {
+    if (!has_ranges) {
+        return;
+    }
+    open[to].Remove(m.lanes.mask);
+    Mask copied = open[from];
+    copied.Keep(m.lanes.mask);
+    open[to].Add(copied);
+    copied.Each([&](std::uint32_t lane) {
+        lasts[std::size_t{to} * kLanes + lane] = lasts[std::size_t{from} * kLanes + lane];
+    });
+}
+
+void Context<Interval>::Close(Machine<Interval>& m, std::uint32_t column) {
+    if (!has_ranges) {
+        return;
+    }
+    Mask closed = open[column];
+    closed.Keep(m.lanes.mask);
+    open[column].Remove(closed);
+    closed.Each([&](std::uint32_t lane) {
+        std::uint32_t& word = m.RawWords(column)[lane];
+        const std::uint32_t last = lasts[std::size_t{column} * kLanes + lane];
+        word += Decide(lane, std::uint64_t{last - word} + 1);
+    });
+}
+
+void Context<Interval>::Forget() {
+    if (has_ranges) {
+        std::fill(open.begin(), open.end(), Mask{});
+        has_ranges = false;
+    }
+}
+
+void Context<Interval>::Before(Machine<Interval>& m, const Step& step) {
+    for (std::uint32_t i = 0; has_ranges && i < step.size.words; ++i) {
+        open[step.result.words + i].Remove(m.lanes.mask);
+    }
 }
 
 void Context<Interval>::After(Machine<Interval>& m, const Step& step) const {
@@ -141,8 +206,10 @@ class Bounder {
           rows_(rows),
           limits_(limits),
           ways_(rows.count),
-          is_lost_(rows.count) {
+          is_lost_(rows.count),
+          most_(std::uint64_t{limits.mean_ways} * rows.count + limits.ways) {
         runner_.rows = &rows_;
+        ETALON_CHECK(limits.ways <= std::numeric_limits<std::uint8_t>::max());
         // Each choice leads to at least one more way.
         runner_.context.most_choices = limits.ways;
         runner_.context.bounds = bounds;
@@ -170,16 +237,19 @@ class Bounder {
     void RunBatch(std::vector<Task>& batch) {
         std::array<std::uint32_t, kLanes> row_of_lane;
         runner_.context.lost = Mask{};
+        runner_.context.Forget();
         for (std::uint32_t lane = 0; lane < batch.size(); ++lane) {
             row_of_lane[lane] = batch[lane].row;
             runner_.context.ways[lane] = std::move(batch[lane].way);
         }
         runner_.RunLanes(std::span(row_of_lane).first(batch.size()));
+        spent_ += batch.size();
         for (std::uint32_t lane = 0; lane < batch.size(); ++lane) {
             const std::uint32_t row = batch[lane].row;
             batch[lane].way = std::move(runner_.context.ways[lane]);
-            is_lost_[row] = runner_.context.lost.Has(lane) ||
-                            ++ways_[row] + WaysLeft(batch[lane].way) > limits_.ways;
+            const std::uint64_t left = WaysLeft(batch[lane].way);
+            is_lost_[row] = runner_.context.lost.Has(lane) || ++ways_[row] + left > limits_.ways ||
+                            (left > 0 && spent_ > most_);
         }
     }
 
@@ -188,9 +258,35 @@ class Bounder {
     const Limits limits_;
     std::vector<std::uint32_t> ways_;  // by row: those taken
     std::vector<bool> is_lost_;        // by row
+    const std::uint64_t most_;         // ways of all rows
+    std::uint64_t spent_ = 0;
 };
 
 }  // namespace
+
+bool BoundAlike(const Plan& plan, const Profile& a, const Profile& b) {
+    bool has_trigonometry = false;
+    bool has_filters = false;
+    for (const Step& step : plan.steps) {
+        const std::uint32_t glsl = step.code - kGlslCode;
+        has_trigonometry = has_trigonometry || (step.code > kGlslCode && glsl >= GLSLstd450Sin &&
+                                                glsl <= GLSLstd450Atan2);
+        has_filters = has_filters ||
+                      step.code == static_cast<std::uint32_t>(spv::Op::OpImageSampleExplicitLod);
+    }
+    Profile other = b;
+    other.name = a.name;
+    other.source = a.source;
+    if (!has_trigonometry) {
+        other.bounds_trigonometry = a.bounds_trigonometry;
+        other.sine_absolute = a.sine_absolute;
+        other.arc_tangent_ulp = a.arc_tangent_ulp;
+    }
+    if (!has_filters) {
+        other.weight_absolute = a.weight_absolute;
+    }
+    return other == a;
+}
 
 std::vector<Bound> BoundOutputs(std::shared_ptr<const Plan> plan,
                                 const std::vector<Texture>& images, const Profile& profile,

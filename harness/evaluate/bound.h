@@ -38,6 +38,9 @@ struct Bound {
     bool Holds(std::uint32_t word) const;
 };
 
+// True where both profiles bound the program alike: they differ in nothing that it does.
+bool BoundAlike(const Plan& plan, const Profile& a, const Profile& b);
+
 // The bounds of all outputs, by columns: of output `o` at row `r`, [o * rows + r]. A row whose ways
 // are more than the limits allow, or that fails as the evaluator would, is unbounded.
 std::vector<Bound> BoundOutputs(std::shared_ptr<const Plan> plan,

@@ -34,6 +34,8 @@ struct Limits {
     std::uint32_t steps = 1u << 22;
     // Ways through the program that the undecided comparisons of one row may lead to; of bounds.
     std::uint32_t ways = 64;
+    // And those of all rows on average; beyond, rows that have more than one are unbounded.
+    std::uint32_t mean_ways = 6;
 };
 
 // Words by columns, as a device takes them.

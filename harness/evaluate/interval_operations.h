@@ -83,41 +83,6 @@ inline void ConvertFToS(IntervalMachine& m, const Step& step) {
     });
 }
 
-// Which of the floats it is, and of a zero whose sign is not known, which sign.
-inline std::uint32_t DecideBits(IntervalMachine& m, std::uint32_t lane, const Interval& a) {
-    const auto ordered = [](double x) {
-        const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(x));
-        const auto magnitude = static_cast<std::int64_t>(bits & 0x7fffffffu);
-        return bits >> 31 != 0 ? -magnitude - 1 : magnitude;
-    };
-    const std::int64_t first = ordered(a.low());
-    const std::int64_t last = ordered(a.high);
-    const std::uint64_t count =
-        a.IsAnything() ? ~std::uint64_t{0} : static_cast<std::uint64_t>(last - first) + 1;
-    const std::int64_t chosen = first + m.context.Decide(lane, count);
-    return chosen < 0 ? 0x80000000u | static_cast<std::uint32_t>(-chosen - 1)
-                      : static_cast<std::uint32_t>(chosen);
-}
-template <>
-inline void Bitcast(IntervalMachine& m, const Step& step) {
-    if (step.is_output_only && step.extra != 0) {
-        // StoreOutput looks at the float.
-        for (std::uint32_t i = 0; i < step.components; ++i) {
-            std::uint32_t* result = m.Words(step.result.words + i);
-            m.lanes.Each([&](std::uint32_t lane) { result[lane] = 0; });
-        }
-    } else if (step.size.floats == 0 && step.extra != 0) {
-        Decided(m, step,
-                [&](std::uint32_t lane, const Interval& a) { return DecideBits(m, lane, a); });
-    } else if (step.size.floats == 0) {
-        m.WordsToWords1(step, [](std::uint32_t a) { return a; });
-    } else if (step.extra == 0) {
-        m.WordsToFloats1(step, [](std::uint32_t a) { return interval::FromBits(a); });
-    } else {
-        m.FloatsToFloats1(step, [](const Interval& a) { return a; });
-    }
-}
-
 // Calls certainly(a, b) and certainly_not(a, b) of settled intervals; where neither is, both ways
 // are taken.
 template <typename F, typename G>

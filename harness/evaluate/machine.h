@@ -48,6 +48,11 @@ class Mask {
         return any == 0;
     }
     bool Has(std::uint32_t lane) const { return (words_[lane / 64] >> lane % 64 & 1) != 0; }
+    void Keep(const Mask& others) {
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            words_[i] &= others.words_[i];
+        }
+    }
     bool operator==(const Mask&) const = default;
     template <typename F>
     void Each(F&& f) const {
@@ -155,7 +160,14 @@ struct Machine {
     }
 
     Number* Floats(std::uint32_t column) { return floats.data() + std::size_t{column} * kLanes; }
+    // Each lane at work has a single word there.
     std::uint32_t* Words(std::uint32_t column) {
+        if constexpr (requires { context.Close(*this, column); }) {
+            context.Close(*this, column);
+        }
+        return RawWords(column);
+    }
+    std::uint32_t* RawWords(std::uint32_t column) {
         return words.data() + std::size_t{column} * kLanes;
     }
     Columns Operand(const Step& step, std::size_t i) const {
@@ -198,9 +210,12 @@ struct Machine {
             lanes.Each([&](std::uint32_t lane) { target[lane] = source[lane]; });
         }
         for (std::uint32_t i = 0; i < size.words; ++i) {
-            const std::uint32_t* source = Words(from.words + i);
-            std::uint32_t* target = Words(to.words + i);
+            const std::uint32_t* source = RawWords(from.words + i);
+            std::uint32_t* target = RawWords(to.words + i);
             lanes.Each([&](std::uint32_t lane) { target[lane] = source[lane]; });
+            if constexpr (requires { context.CopyRange(*this, from.words, to.words); }) {
+                context.CopyRange(*this, from.words + i, to.words + i);
+            }
         }
     }
 

@@ -28,6 +28,8 @@ struct Profile {
     double arc_tangent_ulp = 4096.0;
     // Filtered images: how far the weights of texels and levels may be off.
     double weight_absolute = 0x1p-4;
+
+    bool operator==(const Profile&) const = default;
 };
 
 // Null for a name that is none.

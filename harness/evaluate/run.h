@@ -153,6 +153,9 @@ void Runner<N>::RunBlock(const Block& block) {
     const Step* step = this->plan->steps.data() + block.first_step;
     const Operation<N>* run = operations.data() + block.first_step;
     for (std::uint32_t i = 0; i < block.steps; ++i) {
+        if constexpr (requires { this->context.Before(*this, step[i]); }) {
+            this->context.Before(*this, step[i]);
+        }
         run[i](*this, step[i]);
         if constexpr (requires { this->context.After(*this, step[i]); }) {
             this->context.After(*this, step[i]);

@@ -159,7 +159,11 @@ const Result<Evaluation::Bounds>& Evaluation::BoundsBy(const evaluate::Profile& 
     State::Bounded* bounded = nullptr;
     {
         const std::lock_guard lock(state_->mutex);
-        bounded = &state_->bounds[&profile];
+        const auto alike =
+            std::find_if(state_->bounds.begin(), state_->bounds.end(), [&](const auto& known) {
+                return state_->plan && evaluate::BoundAlike(**state_->plan, *known.first, profile);
+            });
+        bounded = alike != state_->bounds.end() ? &alike->second : &state_->bounds[&profile];
     }
     std::call_once(bounded->once, [&] { bounded->bounds = state_->Bound(profile, Get()); });
     return *bounded->bounds;

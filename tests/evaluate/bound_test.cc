@@ -220,5 +220,44 @@ TEST(Bound, OfIntegersAreTheirWords) {
     }
 }
 
+// The ways in which shaders keep NaN out, which no comparison of floats does.
+TEST(Bound, PassesLimitsThatAreSetInBits) {
+    const std::string limit =
+        "float limit(float x) { return intBitsToFloat(clamp(floatBitsToInt(x), 0,"
+        " floatBitsToInt(1.0))); }";
+    EXPECT_BOUND(BoundAt("limit(a / b)", {1.0f, 3.0f}, limit), Next(1.0f / 3.0f, -2),
+                 Next(1.0f / 3.0f, 2));
+    // 0 / 0 may be anything; its limits are not.
+    EXPECT_BOUND(BoundAt("limit(a / b)", {0.0f, 0.0f}, limit), 0.0f, 1.0f);
+    EXPECT_BOUND(BoundAt("limit(a - b)", {1e10f, 1e10f}, limit), 0.0f, 0.0f);
+    const std::string magnitude =
+        "float magnitude(float x) { return intBitsToFloat(min(floatBitsToInt(x) & 0x7fffffff,"
+        " floatBitsToInt(2.0))); }";
+    EXPECT_BOUND(BoundAt("magnitude(a / b)", {-1.0f, 0.0f}, magnitude), 0.0f, 2.0f);
+    EXPECT_BOUND(BoundAt("magnitude(a * b)", {-1.1f, 1.3f}, magnitude), 1.43f, Next(1.43f, 1));
+    const std::string number =
+        "float number(float x) { int bits = floatBitsToInt(x);"
+        " return intBitsToFloat((bits & 0x7fffffff) > 0x7f800000 ? 0 : bits); }";
+    EXPECT_BOUND(BoundAt("number(a * b)", {1.1f, 1.3f}, number), 1.43f, Next(1.43f, 1));
+    EXPECT_EQ(BoundAt("number(a / b)", {0.0f, 0.0f}, number).kind, Bound::Kind::kUnbounded);
+    // Where more is done with the bits than that, they are decided one by one.
+    EXPECT_BOUND(BoundAt("intBitsToFloat(floatBitsToInt(a * b) + 2)", {1.1f, 1.3f}), Next(1.43f, 2),
+                 Next(1.43f, 3));
+    EXPECT_EQ(BoundAt("intBitsToFloat(floatBitsToInt(a / b) * 3)", {1.0f, 0.0f}).kind,
+              Bound::Kind::kUnbounded);
+}
+
+TEST(Profile, BoundsAlikeWhatItDoesNotSpeakOf) {
+    const auto& vulkan = *evaluate::FindProfile("vulkan-1.3");
+    const auto& glsl = *evaluate::FindProfile("glsl-4.60");
+    const auto alike = [&](const std::string& expression) {
+        const Probed probed("float unused() { return 0.0; }", expression, {"float a"});
+        return evaluate::BoundAlike(*probed.plan(), vulkan, glsl);
+    };
+    EXPECT_TRUE(alike("exp(a) / (1.0 + sqrt(a))"));
+    EXPECT_FALSE(alike("exp(a) + sin(a)"));
+    EXPECT_FALSE(alike("atan(a, 2.0)"));
+}
+
 }  // namespace
 }  // namespace etalon
