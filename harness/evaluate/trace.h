@@ -1,7 +1,7 @@
 // Trace: one row of a probe, operation by operation, in binary32 and beside it without rounding.
 //
 // The way is that of binary32: where it branches, indexes and converts to integers, the numbers
-// without rounding (128 bits) are led the same way, so that each operation has an exact value to
+// without rounding (Big) are led the same way, so that each operation has an exact value to
 // compare with. A number that is moved by its bits stays what it is.
 #pragma once
 
