@@ -69,19 +69,20 @@ void UnpackNorm(Machine<N>& m, const evaluate::Step& step) {
         }
     });
 }
-#define ETALON_PACK(name, function, parts, is_signed)      \
-    template <typename N>                                  \
-    void name(Machine<N>& m, const evaluate::Step& step) { \
-        function<parts, is_signed>(m, step);               \
+#define ETALON_PACK(name, parts, is_signed)                        \
+    template <typename N>                                          \
+    void Pack##name(Machine<N>& m, const evaluate::Step& step) {   \
+        PackNorm<(parts), (is_signed)>(m, step);                   \
+    }                                                              \
+    template <typename N>                                          \
+    void Unpack##name(Machine<N>& m, const evaluate::Step& step) { \
+        UnpackNorm<(parts), (is_signed)>(m, step);                 \
     }
-ETALON_PACK(PackSnorm4x8, PackNorm, 4, true)
-ETALON_PACK(PackUnorm4x8, PackNorm, 4, false)
-ETALON_PACK(PackSnorm2x16, PackNorm, 2, true)
-ETALON_PACK(PackUnorm2x16, PackNorm, 2, false)
-ETALON_PACK(UnpackSnorm4x8, UnpackNorm, 4, true)
-ETALON_PACK(UnpackUnorm4x8, UnpackNorm, 4, false)
-ETALON_PACK(UnpackSnorm2x16, UnpackNorm, 2, true)
-ETALON_PACK(UnpackUnorm2x16, UnpackNorm, 2, false)
+ETALON_PACK(Snorm4x8, 4, true)
+ETALON_PACK(Unorm4x8, 4, false)
+ETALON_PACK(Snorm2x16, 2, true)
+ETALON_PACK(Unorm2x16, 2, false)
+#undef ETALON_PACK
 
 // binary16, to nearest even, of the bits of a binary32.
 inline std::uint32_t HalfBits(std::uint32_t bits) {

@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kMostRows = 4;
 
 // A vector, or a matrix column by column, of one lane.
 template <typename N>
-using Lane = std::array<N, kMostRows * kMostRows>;
+using Lane = std::array<N, std::size_t{kMostRows} * kMostRows>;
 
 template <typename N>
 void Take(Machine<N>& m, std::uint32_t column, std::uint32_t count, std::uint32_t lane,

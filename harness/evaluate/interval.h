@@ -97,7 +97,8 @@ inline Interval Settled(double minus_low, double high) {
     x.high = high <= 0 && high > -kLeastNormal ? 0 : high;
     x.magnitude = std::max(x.minus_low, x.high);
     x.peak = std::max(1.0, x.magnitude);
-    x.sign = x.minus_low <= 0 ? 1 : x.high <= 0 ? -1 : 0;
+    const int negative_or_neither = x.high <= 0 ? -1 : 0;
+    x.sign = static_cast<std::int16_t>(x.minus_low <= 0 ? 1 : negative_or_neither);
     if (x.IsPoint()) {
         x.quantum = x.high == 0 ? Interval::kZeroQuantum : LowestBit(x.high);
     } else {

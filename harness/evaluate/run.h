@@ -55,7 +55,7 @@ struct Runner : Machine<N> {
     std::vector<Operation<N>> global_operations;  // by step of Plan::globals
     std::vector<Frame<N>> frames;                 // by function
 
-    Runner(std::shared_ptr<const Plan> what, std::vector<Texture> textures, Limits most);
+    Runner(std::shared_ptr<const Plan> what, const std::vector<Texture>& textures, Limits most);
 
     // Runs the program, lane by lane at these rows; the context, `rows` and `first_row` are set.
     void RunLanes(std::span<const std::uint32_t> rows_of_lanes);
@@ -272,10 +272,11 @@ void Runner<N>::MovePhis(Frame<N>& frame, const Edge& edge, const Mask& mask) {
 }
 
 template <typename N>
-Runner<N>::Runner(std::shared_ptr<const Plan> what, std::vector<Texture> textures, Limits most) {
+Runner<N>::Runner(std::shared_ptr<const Plan> what, const std::vector<Texture>& textures,
+                  Limits most) {
     ETALON_CHECK(textures.size() >= what->images);
     this->Prepare(std::move(what));
-    this->images = std::move(textures);
+    this->images = textures;
     this->limits = most;
     for (const Step& step : this->plan->steps) {
         operations.push_back(OperationOf<N>(step.code));

@@ -29,7 +29,10 @@ double Distance(double a, double b) {
         return std::fabs(a - b);
     }
     const bool is_beyond = std::signbit(a) == std::signbit(b) && smaller >= kLargest;
-    return is_beyond ? std::max(0x1p128 - smaller, 0.0) : kInfinity;
+    if (!is_beyond) {
+        return kInfinity;
+    }
+    return std::max(0x1p128 - smaller, 0.0);
 }
 
 // The ulp in which the parts of a value are told.
