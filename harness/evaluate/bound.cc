@@ -7,6 +7,7 @@
 
 #include "evaluate/interval_context.h"
 #include "evaluate/interval_image.h"
+#include "evaluate/interval_integer.h"
 #include "evaluate/interval_operations.h"
 #include "evaluate/interval_words.h"
 #include "evaluate/run.h"
@@ -32,11 +33,11 @@ std::uint32_t Context<Interval>::Decide(std::uint32_t lane, std::uint64_t altern
     return 0;
 }
 
-std::int64_t Context<Interval>::DecideInteger(std::uint32_t lane, double low, double high) {
+std::int64_t Context<Interval>::DecideInteger(std::uint32_t lane, double low, double high,
+                                              double least, double most) {
     const double first = std::trunc(low);
     const double last = std::trunc(high);
-    if (!(first >= std::numeric_limits<std::int32_t>::min() &&
-          last <= std::numeric_limits<std::uint32_t>::max())) {
+    if (!(first >= least && last <= most)) {
         Lose(lane);
         return 0;
     }
@@ -142,8 +143,37 @@ void Context<Interval>::Before(Machine<Interval>& m, const Step& step) {
     }
 }
 
-void Context<Interval>::After(Machine<Interval>& m, const Step& step) const {
-    if (step.value == kNone || !m.plan->module.values[step.value].no_contraction) {
+namespace {
+
+// The profiles state no bound for numbers of relaxed precision; integers keep 16 bits of theirs.
+void Relax(Machine<Interval>& m, const Step& step) {
+    for (std::uint32_t i = 0; i < step.size.floats; ++i) {
+        Interval* result = m.Floats(step.result.floats + i);
+        m.lanes.Each([&](std::uint32_t lane) { result[lane] = interval::Anything(); });
+    }
+    for (std::uint32_t i = 0; i < step.size.words; ++i) {
+        const std::uint32_t* result = m.Words(step.result.words + i);
+        m.lanes.mask.Each([&](std::uint32_t lane) {
+            const std::uint32_t word = result[lane];
+            if (word != (word & 0x7fffu) && word != (word | 0xffff8000u)) {
+                m.context.Lose(lane);
+            }
+        });
+    }
+}
+
+}  // namespace
+
+void Context<Interval>::After(Machine<Interval>& m, const Step& step) {
+    operation::LoseUndefined(m, step);
+    if (step.value == kNone) {
+        return;
+    }
+    const spirv::Value& value = m.plan->module.values[step.value];
+    if (value.relaxed_precision) {
+        Relax(m, step);
+    }
+    if (!value.no_contraction) {
         return;
     }
     for (std::uint32_t i = 0; i < step.size.floats; ++i) {
@@ -267,12 +297,14 @@ class Bounder {
 bool BoundAlike(const Plan& plan, const Profile& a, const Profile& b) {
     bool has_trigonometry = false;
     bool has_filters = false;
+    bool has_modulus = false;
     for (const Step& step : plan.steps) {
         const std::uint32_t glsl = step.code - kGlslCode;
         has_trigonometry = has_trigonometry || (step.code > kGlslCode && glsl >= GLSLstd450Sin &&
                                                 glsl <= GLSLstd450Atan2);
         has_filters = has_filters ||
                       step.code == static_cast<std::uint32_t>(spv::Op::OpImageSampleExplicitLod);
+        has_modulus = has_modulus || step.code == static_cast<std::uint32_t>(spv::Op::OpSMod);
     }
     Profile other = b;
     other.name = a.name;
@@ -284,6 +316,9 @@ bool BoundAlike(const Plan& plan, const Profile& a, const Profile& b) {
     }
     if (!has_filters) {
         other.weight_absolute = a.weight_absolute;
+    }
+    if (!has_modulus) {
+        other.defines_negative_modulus = a.defines_negative_modulus;
     }
     return other == a;
 }

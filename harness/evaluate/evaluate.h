@@ -1,7 +1,7 @@
 // Evaluates a compute probe (probe/program.h) on the host.
 //
 // Number is the type of every floating-point value: float, each operation rounded correctly in the
-// order of the source, with subnormal numbers; double; Big (number_big.h). What holds for all:
+// order of the source, with subnormal numbers; double; Big (big.h). What holds for all:
 //   - integers and bools are exact and have 32 bits; bit casts see and yield binary32, to which
 //     numbers are rounded;
 //   - the functions of GLSL.std.450 that stand for a formula (length, mix, reflect...) are that

@@ -32,10 +32,11 @@ namespace {
 
 // Beyond so many roundings their products count, and nothing useful is left of the bound.
 constexpr float kMostRoundings = 0x1p15f;
+constexpr float kLeastNormalFloat = 0x1p-126f;
 
 // A factor that is a power of two changes no rounding, unless something is subnormal or overflows.
 bool Scales(const Interval& by, const Interval& x) {
-    return IsPowerOfTwo(by) && std::min(by.magnitude, 1.0) * x.quantum >= kLeastNormal &&
+    return IsPowerOfTwo(by) && by.finest * x.finest >= kLeastNormalFloat &&
            by.magnitude * x.peak <= kLargest;
 }
 
@@ -48,6 +49,7 @@ Interval Scaled(const Interval& x, const Interval& by) {
     result.error *= factor;
     result.quantum *= factor;
     result.peak *= std::max(1.0, factor);
+    result.finest *= by.finest;
     result.is_scaled = true;
     return x.magnitude == 0 ? Unsigned(result) : result;
 }
@@ -55,6 +57,7 @@ Interval Scaled(const Interval& x, const Interval& by) {
 // Rounding leaves multiples of a power of two what they are.
 Interval OnGrid(Interval settled, double quantum) {
     settled.quantum = std::max(settled.quantum, quantum);
+    settled.finest = FinestOf(settled.quantum);
     return settled;
 }
 
@@ -79,6 +82,7 @@ Interval ProductOf(const Interval& a, const Interval& b) {
     x.peak = a.peak * b.peak;
     x.sums = (a.sums + 1) * (b.sums + 1) - 1;
     x.factors = a.factors + b.factors + 1;
+    x.finest = a.finest * b.finest;
     x.sign = static_cast<std::int16_t>(a.sign * b.sign);
     x.is_scaled = a.is_scaled || b.is_scaled;
     return x;
@@ -91,15 +95,16 @@ Interval SettleExpression(const Interval& x) {
         return Anything();
     }
     const float roundings = x.sums + x.factors;
-    // The scaling of a subnormal intermediate scales its rounding.
-    if (roundings == 1 && !(x.is_scaled && x.quantum < kLeastNormal)) {
+    // In another order, what is scaled may be an intermediate that is subnormal or overflows.
+    const bool is_safe = x.finest >= kLeastNormalFloat && x.peak <= kLargest;
+    if (roundings == 1 && (is_safe || !x.is_scaled)) {
         return OnGrid(Settled(FloatAbove(x.minus_low), FloatAbove(x.high)), x.quantum);
     }
     if (!(x.peak <= kLargest) || roundings > kMostRoundings) {
         return Anything();
     }
     // Every part of the sum is a float, in every order.
-    if (x.quantum >= kLeastNormal && x.quantum * 0x1p24 >= x.magnitude) {
+    if (x.finest >= kLeastNormalFloat && x.quantum * 0x1p24 >= x.magnitude) {
         return OnGrid(Settled(x.minus_low, x.high), x.quantum);
     }
     double error = x.error;
@@ -109,7 +114,8 @@ Interval SettleExpression(const Interval& x) {
     }
     const auto count = static_cast<double>(roundings);
     error *= 1 + 2 * count * kEpsilon;
-    if (x.quantum < kLeastNormal) {
+    // A product of some factors, or a numerator's sum, may be flushed.
+    if (x.finest < kLeastNormalFloat && !x.is_quotient) {
         error += kLeastNormal * (count + 1) * x.peak;
     }
     // Roundings of what has one sign do not change it.
@@ -175,6 +181,8 @@ Interval Div(const Interval& a, const Interval& by) {
             ? ulps * RoundingOf(x.magnitude)
             : ErrorInAnyOrder(a) / least + (ulps + (a.is_scaled ? 1 : 0)) * kEpsilon * x.magnitude;
     x.quantum = 0;
+    x.finest = 0;
+    x.is_quotient = a.IsSettled() && !a.is_scaled;
     x.sign = static_cast<std::int16_t>(b.high > 0 ? a.sign : -a.sign);
     return x;
 }

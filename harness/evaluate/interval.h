@@ -35,8 +35,10 @@ struct Interval {
     double peak = 1;                // no part of any term is beyond it
     float sums = 0;                 // additions on a term's way into the sum, at most
     float factors = 0;              // roundings in the making of a term, at most
+    float finest = 1;               // every product of some factors of a term is a multiple of it
     std::int16_t sign = 1;          // 1: no term is negative, -1: none is positive, 0: neither
     bool is_scaled = false;         // by powers of two, without rounding, and not counted
+    bool is_quotient = false;       // of settled values, and nothing more
 
     // A zero whose sign is not known goes from -0 to +0.
     double low() const { return -minus_low; }
@@ -53,10 +55,12 @@ inline constexpr double kEpsilon = 0x1p-23;
 inline constexpr double kLeastNormal = 0x1p-126;
 inline constexpr double kLargest = std::numeric_limits<float>::max();
 
-// The greatest power of two not above x / 2^23: a bound on the rounding of values up to x.
+// A bound on the ulp of values up to x, and so on their rounding: the greatest power of two below
+// x / 2^23. At a power of two the ulp is that of the floats below it.
 inline double RoundingOf(double x) {
-    const double least = std::max(x, kLeastNormal);
-    const std::uint64_t power = std::bit_cast<std::uint64_t>(least) & 0x7ff0000000000000u;
+    const double least = std::max(x, 2 * kLeastNormal);
+    const std::uint64_t below = std::bit_cast<std::uint64_t>(least) - 1;
+    const std::uint64_t power = below & 0x7ff0000000000000u;
     return std::bit_cast<double>(power) * kEpsilon;
 }
 
@@ -70,6 +74,11 @@ inline double LowestBit(double x) {
     }
     const auto below = static_cast<std::uint64_t>(52 - std::countr_zero(fraction));
     return std::bit_cast<double>(power - (below << 52));
+}
+
+// Of a settled value. What is finer than all floats need not be told apart.
+inline float FinestOf(double quantum) {
+    return quantum < 1 ? static_cast<float>(quantum) : 1.0f;
 }
 
 inline double FloatAbove(double x) {
@@ -105,13 +114,14 @@ inline Interval Settled(double minus_low, double high) {
         const double least = std::max({-x.minus_low, -x.high, 0.0});
         x.quantum = RoundingOf(least);
     }
+    x.finest = FinestOf(x.quantum);
     return x;
 }
 
 // The floats that an implementation may have in the expression's place.
 Interval SettleExpression(const Interval& x);
 inline Interval Settle(const Interval& x) {
-    return x.IsSettled() ? x : SettleExpression(x);
+    return x.IsSettled() && !x.is_scaled ? x : SettleExpression(x);
 }
 
 // No operation need keep the sign of a zero.
@@ -140,6 +150,7 @@ inline Interval Add(const Interval& a, const Interval& b) {
         }
         Interval x = a.magnitude == 0 ? b : a;
         x.peak = std::max(a.peak, b.peak);
+        x.finest = std::min(a.finest, b.finest);
         return x.magnitude == 0 ? Unsigned(x) : x;
     }
     Interval x;
@@ -151,6 +162,7 @@ inline Interval Add(const Interval& a, const Interval& b) {
     x.peak = a.peak + b.peak;
     x.sums = a.sums + b.sums + 1;
     x.factors = std::max(a.factors, b.factors);
+    x.finest = std::min(a.finest, b.finest);
     x.sign = a.sign == b.sign ? a.sign : std::int16_t{0};
     x.is_scaled = a.is_scaled || b.is_scaled;
     // Where a common factor may be taken out, a sum is rounded in the products' place.

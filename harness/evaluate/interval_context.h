@@ -59,8 +59,10 @@ struct Context<Interval> {
     void Lose(std::uint32_t lane) { lost.Add(lane); }
     // One of 0 .. alternatives - 1.
     std::uint32_t Decide(std::uint32_t lane, std::uint64_t alternatives);
-    // The integer that a value becomes, where it may be any in [low, high].
-    std::int64_t DecideInteger(std::uint32_t lane, double low, double high);
+    // The integer that a value becomes, where it may be any in [low, high]; undefined beyond
+    // [least, most].
+    std::int64_t DecideInteger(std::uint32_t lane, double low, double high, double least,
+                               double most);
     // Adds to the hull of the output at `place`.
     void Store(std::size_t place, const Bound& bound);
     // Of one level, all faces.
@@ -75,8 +77,9 @@ struct Context<Interval> {
     void Forget();
     // Before a step: what was in its result's place is of no use any more.
     void Before(Machine<Interval>& m, const Step& step);
-    // After a step: what is decorated NoContraction has been rounded by itself.
-    void After(Machine<Interval>& m, const Step& step) const;
+    // After a step: loses lanes where its result is undefined; of what is decorated
+    // RelaxedPrecision nothing is known, and NoContraction has been rounded by itself.
+    void After(Machine<Interval>& m, const Step& step);
 };
 
 }  // namespace etalon::evaluate

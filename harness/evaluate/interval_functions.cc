@@ -377,6 +377,7 @@ namespace {
 Interval WholeNumbers(double low, double high) {
     Interval x = Settled(-low, high);
     x.quantum = std::max(x.quantum, 1.0);
+    x.finest = 1;
     return x;
 }
 
@@ -475,19 +476,27 @@ Interval Step(const Interval& edge, const Interval& x) {
     return Settled(x.low() >= edge.high ? -1 : 0, x.high < edge.low() ? 0 : 1);
 }
 Interval Smoothstep(const Interval& edge0, const Interval& edge1, const Interval& x) {
+    if (!(edge0.high < edge1.low())) {
+        return Anything();
+    }
     const Interval way = Settle(Div(Sub(x, edge0), Sub(edge1, edge0)));
     const Interval t = Min(Max(way, Number(0)), One());
     return Mul(Mul(t, t), Sub(Number(3), Mul(Number(2), t)));
 }
 
 Interval Ldexp(const Interval& x, std::int32_t exponent) {
-    const int power = std::clamp(exponent, -400, 400);
+    if (exponent > 128) {
+        return Anything();
+    }
+    const int power = std::max(exponent, -400);
     const double minus_low = std::ldexp(x.minus_low, power);
     const double high = std::ldexp(x.high, power);
     if (!(std::max(minus_low, high) <= kLargest)) {
         return Anything();
     }
-    return Settled(FloatAbove(minus_low), FloatAbove(high));
+    const Interval scaled = Settled(FloatAbove(minus_low), FloatAbove(high));
+    // The text lets such a result be flushed, however great.
+    return exponent < -126 ? Hull(scaled, Number(0)) : scaled;
 }
 
 }  // namespace etalon::evaluate::interval

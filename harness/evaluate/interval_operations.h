@@ -73,13 +73,15 @@ void Decided(IntervalMachine& m, const Step& step, F f) {
 template <>
 inline void ConvertFToU(IntervalMachine& m, const Step& step) {
     Decided(m, step, [&](std::uint32_t lane, const Interval& a) {
-        return static_cast<std::uint32_t>(m.context.DecideInteger(lane, a.low(), a.high));
+        return static_cast<std::uint32_t>(
+            m.context.DecideInteger(lane, a.low(), a.high, 0, 0x1p32 - 1));
     });
 }
 template <>
 inline void ConvertFToS(IntervalMachine& m, const Step& step) {
     Decided(m, step, [&](std::uint32_t lane, const Interval& a) {
-        return static_cast<std::uint32_t>(m.context.DecideInteger(lane, a.low(), a.high));
+        return static_cast<std::uint32_t>(
+            m.context.DecideInteger(lane, a.low(), a.high, -0x1p31, 0x1p31 - 1));
     });
 }
 
@@ -152,6 +154,23 @@ inline void IsInf(IntervalMachine& m, const Step& step) {
     });
 }
 
+// What a variable holds before anything is stored in it is undefined.
+template <>
+inline void Variable(IntervalMachine& m, const Step& step) {
+    if (step.operands != 0) {
+        m.Copy(m.Operand(step, 0), step.result, step.size);
+        return;
+    }
+    for (std::uint32_t i = 0; i < step.size.floats; ++i) {
+        Interval* target = m.Floats(step.result.floats + i);
+        m.lanes.Each([&](std::uint32_t lane) { target[lane] = interval::Anything(); });
+    }
+    for (std::uint32_t i = 0; i < step.size.words; ++i) {
+        std::uint32_t* target = m.Words(step.result.words + i);
+        m.lanes.Each([&](std::uint32_t lane) { target[lane] = 0; });
+    }
+}
+
 template <>
 inline void LoadOutput(IntervalMachine& m, const Step& step) {
     m.lanes.Each([&](std::uint32_t lane) { m.context.Lose(lane); });
@@ -206,6 +225,20 @@ inline Interval NumberMin(const Interval& a, const Interval& b) {
 template <>
 inline Interval NumberMax(const Interval& a, const Interval& b) {
     return Max(a, b);
+}
+// Undefined where the greatest may be less than the least.
+inline Interval Clamp(const Interval& a, const Interval& b, const Interval& c) {
+    const Interval least = interval::Settle(b);
+    const Interval greatest = interval::Settle(c);
+    return least.high <= greatest.low() ? Min(Max(a, least), greatest) : interval::Anything();
+}
+template <>
+inline void FClamp(IntervalMachine& m, const evaluate::Step& step) {
+    m.FloatsToFloats3(step, Clamp);
+}
+template <>
+inline void NClamp(IntervalMachine& m, const evaluate::Step& step) {
+    m.FloatsToFloats3(step, Clamp);
 }
 template <>
 inline Interval Smooth(const Interval& edge0, const Interval& edge1, const Interval& x) {
@@ -392,8 +425,8 @@ void PackIntervals(IntervalMachine& m, const evaluate::Step& step) {
             const Interval scaled =
                 interval::Settle(interval::Mul(Min(Max(x, low), One<Interval>()), scale));
             const Interval part = interval::Round(scaled);
-            const auto chosen =
-                static_cast<std::uint32_t>(m.context.DecideInteger(lane, part.low(), part.high));
+            const auto chosen = static_cast<std::uint32_t>(
+                m.context.DecideInteger(lane, part.low(), part.high, -0x1p31, 0x1p31 - 1));
             word |= (chosen & ((1u << kBits) - 1)) << (i * kBits);
         }
         result[lane] = word;
@@ -419,6 +452,19 @@ inline std::uint32_t HalfBelow(double x) {
     }
     const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(std::min(x, kLargestHalf)));
     return HalfBits(bits & ~0x1fffu);
+}
+
+// A subnormal half may be flushed.
+template <>
+inline void UnpackHalf2x16(IntervalMachine& m, const evaluate::Step& step) {
+    const std::uint32_t* word = m.Words(m.Operand(step, 0).words);
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        Interval* result = m.Floats(step.result.floats + i);
+        m.lanes.Each([&](std::uint32_t lane) {
+            const Interval x = interval::FromBits(FloatBits(word[lane] >> (16 * i) & 0xffffu));
+            result[lane] = x.magnitude < 0x1p-14 ? interval::Hull(x, Zero<Interval>()) : x;
+        });
+    }
 }
 
 // Either neighbour, of which the infinity is one beyond the largest half; a subnormal half may be

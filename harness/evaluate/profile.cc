@@ -11,6 +11,7 @@ constexpr Profile Glsl() {
     profile.name = "glsl-4.60";
     profile.source = "OpenGL Shading Language 4.60, Range and Precision";
     profile.bounds_trigonometry = false;
+    profile.defines_negative_modulus = false;
     profile.weight_absolute = 1.0;
     return profile;
 }

@@ -26,6 +26,8 @@ struct Profile {
     bool bounds_trigonometry = true;
     double sine_absolute = 0x1p-11;  // for arguments in [-pi, pi]; beyond there is no bound
     double arc_tangent_ulp = 4096.0;
+    // The remainder of a negative integer is that of the divisor's sign, and not left open.
+    bool defines_negative_modulus = true;
     // Filtered images: how far the weights of texels and levels may be off.
     double weight_absolute = 0x1p-4;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <unordered_map>
+#include <utility>
 
 #include "evaluate/run.h"
 #include "spirv/watch.h"
@@ -114,12 +115,19 @@ class Tracer {
     }
 
     void RunFunction(std::uint32_t index) {
-        const Function& function = plan_->functions[index];
+        const std::uint32_t calling = std::exchange(strict_.running, index);
+        RunBlocks(plan_->functions[index]);
+        strict_.running = calling;
+    }
+
+    void RunBlocks(const Function& function) {
         for (std::uint32_t at = 0;;) {
             const Block& block = function.blocks[at];
             if (block.is_counted && ++spent_ > limits_.steps) {
+                Step step;
+                step.line = block.line;
                 strict_.Fail(
-                    0, Step{},
+                    0, step,
                     "a loop does not end within " + std::to_string(limits_.steps) + " steps");
             }
             for (std::uint32_t i = 0; i < block.steps && IsAlive(); ++i) {

@@ -168,7 +168,8 @@ Result<StrictPath> TracePath(const Subject& subject) {
 
 std::string RuleOf(const Subject& subject) {
     if (const JudgedColumn* column = subject.judged(); column != nullptr) {
-        return column->spec != nullptr            ? std::string(column->spec->name)
+        return column->own_spec                   ? "the device's own specification"
+               : column->spec != nullptr          ? "spec " + std::string(column->spec->name)
                : subject.scalar == Scalar::kFloat ? column->accept.Text()
                                                   : "equal";
     }

@@ -224,7 +224,9 @@ ExplainedParting PartingText(const Subject& subject, const StrictPath& path,
                        parting.tried, parting.instructions);
             return explained;
         case Parting::Kind::kNowhere:
-            explained.text = "every operation yields what binary32 does";
+            explained.text = path.trace.is_cut
+                                 ? "every operation that is traced yields what binary32 does"
+                                 : "every operation yields what binary32 does";
             return explained;
         case Parting::Kind::kWay:
             explained.happens = true;

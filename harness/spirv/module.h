@@ -62,6 +62,7 @@ struct Value {
     std::uint32_t index = kNone;     // into Module::constants or Module::variables, or which
                                      // parameter
     bool no_contraction = false;
+    bool relaxed_precision = false;
     std::string name;
 };
 

@@ -157,6 +157,8 @@ std::uint32_t Reader::AddValue(const RawInstruction& raw, std::uint32_t type, Va
         for (const Decoration& decoration : found->second) {
             value.no_contraction |=
                 decoration.kind == static_cast<std::uint32_t>(spv::Decoration::NoContraction);
+            value.relaxed_precision |=
+                decoration.kind == static_cast<std::uint32_t>(spv::Decoration::RelaxedPrecision);
         }
     }
     const auto place = static_cast<std::uint32_t>(module_.values.size());

@@ -149,6 +149,69 @@ TEST(Bound, OfSubnormalNumbersHoldsZero) {
     EXPECT_BOUND(BoundAt("a * b", {0x1p-100f, 0x1p-10f}), 0x1p-110f, 0x1p-110f);
 }
 
+TEST(Bound, HoldsAProductThatUnderflowsInAnotherOrder) {
+    // (a c) b is 2^-30 or so; of (a b) c the first product is subnormal.
+    const Bound bound = BoundAt("a * c * b", {0x1.8p-80f, 0x1.8p-50f, 0x1p100f});
+    EXPECT_TRUE(bound.Holds(0));
+    EXPECT_TRUE(bound.Holds(std::bit_cast<std::uint32_t>(0x1.2p-29f)));
+    EXPECT_FALSE(
+        BoundAt("a * c * b", {0x1.8p-80f, 0x1.8p-50f, 0x1p100f}, "", "spirv+precise").Holds(0));
+}
+
+TEST(Bound, OfQuotientsOfSmallNumbersIsThatOfOthers) {
+    const auto width = [](float a, float b) {
+        const Bound bound = BoundAt("a / b", {a, b});
+        return (bound.high - bound.low) / (a / b);
+    };
+    EXPECT_LT(width(0x1.8p-124f, 3.0f), 0x1p-20f);
+    EXPECT_LT(width(0x1.8p-120f, 0x1.5p-100f), 0x1p-20f);
+    // The ulp of a power of two is that of the floats below it.
+    EXPECT_BOUND(BoundAt("a / b", {1.0f, 2.0f}), Next(0.5f, -2), Next(0.5f, 1));
+}
+
+TEST(Bound, IsSilentWhereTheResultIsUndefined) {
+    const auto is_silent = [](const std::string& expression, const std::vector<float>& inputs) {
+        return BoundAt(expression, inputs).kind == Bound::Kind::kUnbounded;
+    };
+    EXPECT_TRUE(is_silent("uint(a)", {-1.5f}));
+    EXPECT_FALSE(is_silent("uint(a)", {-0.5f}));
+    EXPECT_FALSE(is_silent("uint(a)", {3e9f}));
+    EXPECT_TRUE(is_silent("int(a)", {3e9f}));
+    EXPECT_TRUE(is_silent("int(a) / int(b)", {7.0f, 0.0f}));
+    EXPECT_FALSE(is_silent("int(a) / int(b)", {7.0f, 2.0f}));
+    EXPECT_TRUE(is_silent("uint(a) % uint(b)", {7.0f, 0.0f}));
+    EXPECT_TRUE(is_silent("int(a) << int(b)", {7.0f, 32.0f}));
+    EXPECT_TRUE(is_silent("int(a) >> int(b)", {7.0f, -1.0f}));
+    EXPECT_FALSE(is_silent("int(a) >> int(b)", {7.0f, 31.0f}));
+    EXPECT_TRUE(is_silent("bitfieldExtract(int(a), 30, int(b))", {7.0f, 3.0f}));
+    EXPECT_FALSE(is_silent("bitfieldExtract(int(a), 30, int(b))", {7.0f, 2.0f}));
+    EXPECT_TRUE(is_silent("bitfieldInsert(7, 7, int(a), int(b))", {-1.0f, 3.0f}));
+    EXPECT_TRUE(is_silent("clamp(a, b, 1.0)", {0.0f, 2.0f}));
+    EXPECT_FALSE(is_silent("clamp(a, b, 1.0)", {0.0f, 1.0f}));
+    EXPECT_TRUE(is_silent("clamp(int(a), int(b), 1)", {0.0f, 2.0f}));
+    EXPECT_TRUE(is_silent("smoothstep(1.0, a, b)", {0.0f, 0.5f}));
+    EXPECT_TRUE(is_silent("ldexp(a, int(b))", {0x1p-100f, 150.0f}));
+    const std::string unset = "float unset(float x) { float y; if (x > 2.0) y = x; return y; }";
+    EXPECT_EQ(BoundAt("unset(a)", {1.0f}, unset).kind, Bound::Kind::kUnbounded);
+    EXPECT_EQ(BoundAt("unset(a)", {3.0f}, unset).kind, Bound::Kind::kNumber);
+    const std::string rough = "mediump float rough(mediump float x) { return x * 1.1; }";
+    EXPECT_EQ(BoundAt("rough(a)", {3.0f}, rough).kind, Bound::Kind::kUnbounded);
+}
+
+TEST(Bound, OfANegativeRemainderIsOpenInGlsl) {
+    const auto kind = [](float a, const std::string& profile) {
+        return BoundAt("int(a) % 5", {a}, "", "spirv", profile).kind;
+    };
+    EXPECT_EQ(kind(-77.0f, "vulkan-1.3"), Bound::Kind::kWord);
+    EXPECT_EQ(kind(-77.0f, "glsl-4.60"), Bound::Kind::kUnbounded);
+    EXPECT_EQ(kind(77.0f, "glsl-4.60"), Bound::Kind::kWord);
+}
+
+TEST(Bound, HoldsWhatAnImplementationMayFlush) {
+    EXPECT_TRUE(BoundAt("unpackHalf2x16(floatBitsToUint(a)).x", {0x1.8p-149f}).Holds(0));
+    EXPECT_TRUE(BoundAt("ldexp(a, int(b))", {0x1p100f, -130.0f}).Holds(0));
+}
+
 TEST(Bound, TakesBothWaysOfAnUndecidedBranch) {
     EXPECT_BOUND(BoundAt("a < b ? 1.0 : 2.0", {1.0f, 2.0f}), 1.0f, 1.0f);
     // 1.1f * 1.3f lies between two floats.

@@ -19,7 +19,7 @@ constexpr int kImplementations = 100;
 
 float SomeInput(std::mt19937& random) {
     std::uniform_real_distribution<float> unit(-2.0f, 2.0f);
-    switch (random() % 8) {
+    switch (random() % 9) {
         case 0:
             return static_cast<float>(static_cast<int>(random() % 17) - 8) / 4;
         case 1:
@@ -27,6 +27,9 @@ float SomeInput(std::mt19937& random) {
         case 2:
             return std::ldexp(unit(random), -120 - static_cast<int>(random() % 29));
         case 3:
+            // Products of which underflow or overflow in some orders alone.
+            return std::ldexp(unit(random), static_cast<int>(random() % 240) - 120);
+        case 4:
             return 1 + unit(random) * 0x1p-20f;
         default:
             return unit(random);

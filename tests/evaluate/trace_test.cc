@@ -140,7 +140,8 @@ TEST(Trace, FailsAsTheEvaluatorDoes) {
     limits.steps = 100;
     const Result<Trace> trace = TraceRow(endless.plan(), {}, {&one, 1}, 1, limits);
     ASSERT_FALSE(trace.ok());
-    EXPECT_THAT(trace.error().message, testing::HasSubstr("does not end within 100 steps"));
+    EXPECT_THAT(trace.error().message,
+                testing::HasSubstr("in f: a loop does not end within 100 steps"));
 }
 
 TEST(Trace, IsCutWhereThePathIsTooLong) {

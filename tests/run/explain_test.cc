@@ -148,6 +148,17 @@ TEST_F(ExplainCaseTest, ALawsLeftSideIsExplained) {
     EXPECT_EQ(explained->devices[0].record.verdict, Verdict::kFail);
 }
 
+TEST_F(ExplainCaseTest, ASpecificationIsNamedAsTheRule) {
+    const auto rule = [&](const std::string& spec) {
+        const auto explained =
+            ExplainOf("float f(float x) { return x * x; }\n",
+                      "call = \"f(x)\"\naccept = { spec = \"" + spec + "\" }\n" + kDomain, "x=1.5");
+        return explained.ok() ? explained->rule : explained.error().message;
+    };
+    EXPECT_EQ(rule("vulkan-1.3"), "spec vulkan-1.3");
+    EXPECT_EQ(rule("device"), "the device's own specification");
+}
+
 TEST_F(ExplainCaseTest, AnOutputIsChosenByName) {
     const std::string glsl = "float f(float x, out vec2 v) { v = vec2(x, x * 3.0); return x; }\n";
     const std::string toml = std::string(
