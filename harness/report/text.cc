@@ -90,7 +90,7 @@ std::string AllowedText(const AllowedValue& allowed) {
     if (!allowed.bounded) {
         return "anything";
     }
-    const std::string low = allowed.low.decimal + " = " + allowed.low.hex;
+    std::string low = allowed.low.decimal + " = " + allowed.low.hex;
     if (allowed.low.hex == allowed.high.hex) {
         return low;
     }

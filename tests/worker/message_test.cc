@@ -148,9 +148,9 @@ TEST(Message, SurvivesAnyBytes) {
     slow.back() = 2;
     EXPECT_FALSE(DecodeAnswer<DeviceInfo>(slow)) << "no bool";
     std::string kind(Body(EncodeAnswer<Nothing>(DeviceFailure{})));
-    kind[1] = 3;
+    kind[1] = 4;
     EXPECT_FALSE(DecodeAnswer<Nothing>(kind));
-    kind[1] = 2;
+    kind[1] = 3;
     EXPECT_TRUE(DecodeAnswer<Nothing>(kind));
     kind[0] = 2;
     EXPECT_FALSE(DecodeAnswer<Nothing>(kind));
