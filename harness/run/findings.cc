@@ -234,12 +234,13 @@ FoundOutside FindOutside(const RunRecord& run, const std::map<std::string, const
     }
     FoundOutside found;
     for (const auto& [key, candidate] : candidates) {
-        const auto device = std::find_if(
-            run.devices.begin(), run.devices.end(),
-            [&](const DeviceInfo& one) { return one.name == candidate.worst->device; });
+        const Record& worst = *candidate.worst;
+        const auto device =
+            std::find_if(run.devices.begin(), run.devices.end(),
+                         [&](const DeviceInfo& one) { return one.name == worst.device; });
         // Evaluations know rows by their address, and those of a candidate end with it.
         Evaluations evaluations(programs);
-        Closer closer(*candidate.worst, *device, evaluations, *programs);
+        Closer closer(worst, *device, evaluations, *programs);
         Result<std::string> text = closer.Reproducer(*cases.at(key.second));
         Finding& finding = closer.finding();
         if (text) {
