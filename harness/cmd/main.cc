@@ -17,6 +17,7 @@
 #include "base/file.h"
 #include "base/format.h"
 #include "cmd/options.h"
+#include "cmd/sweep.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "report/catalogue.h"
@@ -355,6 +356,8 @@ int Main(std::vector<std::string> arguments) {
     explain->add_flag("--json", explain_json, "as JSON, with all operations");
     devices.AddTo(*explain);
 
+    SweepCommand sweep(app);
+
     CLI::App* probe = app.add_subcommand("probe", "Call a function now");
     ProbeChoice probe_choice;
     probe->add_option("SOURCE", probe_choice.source, "GLSL source file")->required();
@@ -452,6 +455,9 @@ int Main(std::vector<std::string> arguments) {
     }
     if (*list_devices) {
         return ListDevices(devices, devices_json, devices_all);
+    }
+    if (sweep.IsChosen()) {
+        return sweep.Run();
     }
     if (*bake) {
         return Bake(bake_choice);
