@@ -12,7 +12,8 @@ namespace etalon {
 class UlpHistogram {
   public:
     // Bin 0 holds what is exact, the bins from 1 on the errors up to Upper(bin) and above that of
-    // the bin before; the last one holds those that are infinite, and NaN.
+    // the bin before; the last one holds those that are infinite (from 2^1023 on, which
+    // no finite error in ulp of a float comes near), and NaN.
     static constexpr int kLeast = -6;  // the first bin of inexact values reaches up to 2^-6
     static constexpr int kMost = 24;   // the last but two up to 2^24; the last but one beyond
     static constexpr std::size_t kBins = kMost - kLeast + 4;
@@ -25,7 +26,7 @@ class UlpHistogram {
         const auto binade =
             static_cast<int>((std::bit_cast<std::uint64_t>(ulp_error) - 1) >> 52 & 0xfff) - 1022;
         constexpr int kOfZero = 0xfff - 1022;
-        constexpr int kOfLargest = 0x7fe - 1022;  // no finite error in ulp of a float is as large
+        constexpr int kOfLargest = 0x7fe - 1022;
         if (binade >= kOfLargest) {
             return binade == kOfZero ? 0 : kBins - 1;
         }

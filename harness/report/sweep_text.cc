@@ -44,6 +44,8 @@ std::string BoundText(double upper) {
     return upper < 1 ? format("1/{}", 1 / upper) : format("{}", upper);
 }
 
+constexpr double kBar = 40;  // characters that stand for all values
+
 // From the first to the last bin that holds something.
 std::string HistogramText(const SweptOutput& output) {
     const auto& bins = output.histogram;
@@ -64,8 +66,9 @@ std::string HistogramText(const SweptOutput& output) {
                                       : "up to " + BoundText(bins[bin].upper);
         const double share =
             static_cast<double>(bins[bin].count) / static_cast<double>(output.judged);
-        text += format("    {:14} {:>14}  {:>8.4f} %  {:#<{}}\n", bound, bins[bin].count,
-                       100 * share, "", std::lround(40 * share));
+        const std::string bar(static_cast<std::size_t>(std::lround(kBar * share)), '#');
+        text += format("    {:14} {:>14}  {:>8.4f} %{}\n", bound, bins[bin].count, 100 * share,
+                       bar.empty() ? "" : "  " + bar);
     }
     return text;
 }

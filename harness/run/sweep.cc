@@ -111,7 +111,7 @@ Result<SweepJournal> OpenJournal(const std::filesystem::path& path, const SweepH
     ETALON_TRY(journal, ReadJournal(path));
     std::string why = Difference(journal.header, header);
     if (why.empty() && (journal.first != fresh.first || journal.end != fresh.end)) {
-        why = format("'shard' is '{}/{}', here '{}/{}'", journal.shard.index, journal.shard.count,
+        why = format("'shard' is '{}/{}', not '{}/{}'", journal.shard.index, journal.shard.count,
                      shard.index, shard.count);
     }
     if (!why.empty()) {
@@ -135,6 +135,8 @@ class Sweep {
     Result<SweepRecord> Run(SweepJournal journal) {
         journal_ = std::move(journal);
         const SweepHeader& header = journal_.header;
+        // A place where nothing can be written is told before the work and not after.
+        ETALON_TRY_STEP(WriteFile(path_, JournalText(journal_)));
         std::optional<EvaluationFailure> failure;
         std::uint64_t failed = 0;
         Progress progress(static_cast<std::int64_t>(journal_.end - journal_.next));
@@ -182,7 +184,8 @@ class Sweep {
                 return Error{record.device + " (" + record.recipe + "): " + failure->reason};
             }
             record.verdict = VerdictOf(*failure);
-            record.reason = failure->reason + Where(failed);
+            const bool is_anywhere = failure->kind == EvaluationFailure::Kind::kRejected;
+            record.reason = failure->reason + (is_anywhere ? "" : Where(failed));
         }
         return record;
     }

@@ -357,7 +357,7 @@ std::string Difference(const SweepHeader& theirs, const SweepHeader& here) {
     const auto b = HeaderLines(here);
     for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
         if (a[k] != b[k]) {
-            return format("'{}' is '{}', here '{}'", a[k].first, a[k].second, b[k].second);
+            return format("'{}' is '{}', not '{}'", a[k].first, a[k].second, b[k].second);
         }
     }
     return "";
@@ -377,7 +377,7 @@ Result<SweepJournal> MergeJournals(const std::vector<std::filesystem::path>& pat
             const std::string why = Difference(journal.header, parts[0].second.header);
             if (!why.empty()) {
                 return Error{path.string() + ": is of another sweep than " + parts[0].first + ": " +
-                             why + " there"};
+                             why};
             }
         }
         parts.emplace_back(path.string(), std::move(journal));

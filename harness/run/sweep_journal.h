@@ -98,7 +98,7 @@ std::string JournalText(const SweepJournal& journal);
 Result<SweepJournal> ParseJournal(const std::string& name, const std::string& text);
 Result<SweepJournal> ReadJournal(const std::filesystem::path& path);
 
-// In what the two differ: "'device' is 'a', here 'b'"; empty where they are of one sweep.
+// In what the two differ: "'device' is 'a', not 'b'"; empty where they are of one sweep.
 std::string Difference(const SweepHeader& theirs, const SweepHeader& here);
 
 // All of a sweep from the journals of its shards, in any order. Fails where they are of different

@@ -12,10 +12,10 @@
 namespace etalon {
 
 struct SweepScope {
-    std::string over;        // the input; empty: the only float that has a range
-    std::string from;        // in place of the range's own ends
-    std::string to;          // likewise
-    std::string at;          // other inputs: "n1=1,n2=1.5"
+    std::string over = {};   // the input; empty: the only float that has a range
+    std::string from = {};   // in place of the range's own ends
+    std::string to = {};     // likewise
+    std::string at = {};     // other inputs: "n1=1,n2=1.5"
     std::uint64_t grid = 3;  // how many values another input takes that has a range, or is drawn
 };
 
