@@ -66,7 +66,7 @@ TEST_F(SweepTest, AFinishedJournalIsTheAnswer) {
 
 // Killed at any time, as often as it takes: the same answer as in one go.
 TEST_F(SweepTest, GoesOnAfterAKill) {
-    const std::vector<std::string> range = {"-d", "null:flaw", "--from", "0x1p-9", "--journal"};
+    const std::vector<std::string> range = {"-d", "null:flaw", "--from", "0x1p-5", "--journal"};
     const auto with = [&](const char* journal) {
         std::vector<std::string> words = range;
         words.emplace_back(journal);
@@ -76,7 +76,7 @@ TEST_F(SweepTest, GoesOnAfterAKill) {
     EXPECT_EQ(whole.status, 1);
     std::string before;
     int kills = 0;
-    for (int pause = 40;; pause += 10) {
+    for (int pause = 50;; pause += 30) {
         ASSERT_LT(kills, 200);
         RunningProgram program(EtalonWords(with("killed")), options_);
         std::this_thread::sleep_for(std::chrono::milliseconds(pause));
@@ -118,7 +118,7 @@ TEST_F(SweepTest, ShardsAddUpToOneRun) {
     EXPECT_EQ(missing.err, "etalon: --merge: the shard of the blocks 4 to 6 of 9 is missing\n");
 }
 
-TEST_F(SweepTest, KeepsWhatWasDoneBeforeADeviceFailed) {
+TEST_F(SweepTest, GivesADevicesFaultItsVerdict) {
     const Finished once = Sweep({"-d", "null:crash-once"});
     EXPECT_EQ(once.status, 0);
     EXPECT_THAT(once.err, StartsWith("null:crash-once (glsl) failed once and not again: "));
@@ -132,6 +132,29 @@ TEST_F(SweepTest, KeepsWhatWasDoneBeforeADeviceFailed) {
     EXPECT_EQ(hang.status, 1);
     EXPECT_THAT(hang.out, StartsWith("c on null:hang (glsl): timeout\n"));
     EXPECT_THAT(folder_.Read("sweep-c-null-hang-glsl.journal"), HasSubstr("blocks 0 0 9\n"));
+}
+
+// A worker that is killed under way costs the answer nothing.
+TEST_F(SweepTest, TriesABlockAgain) {
+    const Finished whole = Sweep({"-d", "null:echo", "--from", "0x1p-5", "--journal", "whole"});
+    RunningProgram program(
+        EtalonWords(Words({"-d", "null:echo", "--from", "0x1p-5", "--journal", "j"})), options_);
+    const auto has = [&](const char* text) {
+        return folder_.Read("j").find(text) != std::string::npos;
+    };
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while ((!has("blocks 0 ") || has("blocks 0 0 ")) &&
+           std::chrono::steady_clock::now() < deadline) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const std::vector<pid_t> workers = WorkersOf(program.id());
+    EXPECT_EQ(workers.size(), 1u);
+    for (const pid_t worker : workers) {
+        kill(worker, SIGKILL);
+    }
+    const Finished finished = program.Wait();
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_EQ(finished.out, whole.out);
 }
 
 TEST_F(SweepTest, RefusesAForeignOrTornJournal) {

@@ -29,28 +29,41 @@ class SweepCheckTest : public testing::Test {
         return {setting, 1000, OrderedBits(first), rows};
     }
 
-    // Judges each value by itself, against an oracle evaluated in its general form.
+    static std::vector<std::uint32_t> Floats(const SweepBlock& block) {
+        std::vector<std::uint32_t> floats(block.rows);
+        FillFloats(block.first_float, floats);
+        return floats;
+    }
+
+    // The oracle in its general form.
+    static std::vector<Expression::Value> Truths(const SweepPlan& plan, const SweepBlock& block,
+                                                 const std::vector<std::uint32_t>& floats,
+                                                 bool flush) {
+        const std::vector<double> n(floats.size(), FromBits(plan.settings.At(block.setting, 0)));
+        std::vector<double> x;
+        for (const std::uint32_t word : floats) {
+            x.push_back(flush ? Flush(FromBits(word)) : FromBits(word));
+        }
+        const double* const inputs[] = {n.data(), x.data()};
+        std::vector<Expression::Value> values;
+        plan.oracles[0].expression.Evaluate(inputs, floats.size(), values);
+        return values;
+    }
+
+    // Judges each value by itself, and its truth by the general form.
     static SweptColumn OneByOne(const SweepPlan& plan, const SweepBlock& block,
                                 std::span<const std::uint32_t> words) {
         SweptColumn column;
-        const SweepPlan::Oracle& oracle = plan.oracles[0];
-        const JudgedColumn& output = oracle.outputs[0];
-        std::vector<std::uint32_t> floats(block.rows);
-        FillFloats(block.first_float, floats);
-        const double n = FromBits(plan.settings.At(block.setting, 0));
+        const JudgedColumn& output = plan.oracles[0].outputs[0];
+        const std::vector<std::uint32_t> floats = Floats(block);
+        const auto plain = Truths(plan, block, floats, false);
+        const auto flushed = Truths(plan, block, floats, true);
         for (std::uint32_t row = 0; row < block.rows; ++row) {
-            const double x = FromBits(floats[row]);
             Truth truth;
-            for (const double at : {x, FlushBinary32(x)}) {
-                const double* const inputs[] = {&n, &at};
-                std::vector<Expression::Value> values;
-                oracle.expression.Evaluate(inputs, 1, values);
-                if (truth.values.empty()) {
-                    truth.values = {values[0].value};
-                    truth.errors = {values[0].error};
-                } else if (at != x) {
-                    truth.alternatives = {{0, values[0].value, values[0].error}};
-                }
+            truth.values = {plain[row].value};
+            truth.errors = {plain[row].error};
+            if (FromBits(floats[row]) != Flush(FromBits(floats[row]))) {
+                truth.alternatives = {{0, flushed[row].value, flushed[row].error}};
             }
             const Judgement judgement =
                 JudgeValue(output.accept, output.scalar, words[row], truth, 0);
@@ -86,16 +99,11 @@ TEST_F(SweepCheckTest, FindsWhatEachValueYields) {
         const SweepPlan plan = Plan(oracle, "{ ulp = 3 }", "float", {.from = "-0.001"});
         for (const float first : {0.25f, FromBits(0x007fe000u), -0x1p-140f}) {
             const SweepBlock block = Block(1, first, 70'001);
-            std::vector<std::uint32_t> floats(block.rows);
-            FillFloats(block.first_float, floats);
+            const std::vector<std::uint32_t> floats = Floats(block);
             std::vector<std::uint32_t> words;
-            for (std::uint32_t row = 0; row < block.rows; ++row) {
-                const double n = FromBits(plan.settings.At(1, 0));
-                const double x = FromBits(floats[row]);
-                const double* const inputs[] = {&n, &x};
-                std::vector<Expression::Value> values;
-                plan.oracles[0].expression.Evaluate(inputs, 1, values);
-                words.push_back(ToBits(static_cast<float>(values[0].value)) + row * 7919 % 4);
+            for (const Expression::Value& truth : Truths(plan, block, floats, false)) {
+                words.push_back(ToBits(static_cast<float>(truth.value)) +
+                                static_cast<std::uint32_t>(words.size()) * 7919 % 4);
             }
             words[40'000] += 9;
             words[60'000] += 9;
