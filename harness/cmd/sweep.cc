@@ -53,7 +53,8 @@ SweepCommand::SweepCommand(CLI::App& app)
     word_->add_option("--recipe", choice_.recipe, "recipe; default: the device's own");
     word_
         ->add_option("--journal", choice_.journal,
-                     "where to keep what is done; default: in the current folder, by the names of "
+                     "where to keep what is done, /dev/null for nowhere; default: in the current "
+                     "folder, by the names of "
                      "case, device and recipe")
         ->type_name("FILE");
     word_->add_option("--shard", shard_, "only the I-th of N parts: 1/4 to 4/4")->type_name("I/N");

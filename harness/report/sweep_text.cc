@@ -119,11 +119,10 @@ std::string SweepText(const SweepRecord& sweep) {
     if (sweep.laws > 0) {
         text += format("  laws      {}, which a sweep does not hold\n", sweep.laws);
     }
-    text += format("  driver    {}, fingerprint {}\n", sweep.driver, sweep.fingerprint);
     for (const SweptOutput& output : sweep.outputs) {
         text += OutputText(output, sweep);
     }
-    return text;
+    return text + format("\ndriver {}, fingerprint {}\n", sweep.driver, sweep.fingerprint);
 }
 
 }  // namespace etalon

@@ -105,7 +105,8 @@ std::filesystem::path JournalPath(const SweepHeader& header, SweepShard shard) {
 Result<SweepJournal> OpenJournal(const std::filesystem::path& path, const SweepHeader& header,
                                  SweepShard shard) {
     ETALON_TRY(fresh, NewJournal(header, shard));
-    if (!std::filesystem::exists(path)) {
+    const auto status = std::filesystem::status(path);
+    if (!std::filesystem::exists(status) || std::filesystem::is_character_file(status)) {
         return std::move(fresh);
     }
     ETALON_TRY(journal, ReadJournal(path));

@@ -19,7 +19,8 @@ struct SweepChoice {
     SweepScope scope;
     SweepShard shard;
     std::string recipe;             // empty: the device's own
-    std::filesystem::path journal;  // empty: in the current folder, by the names of the rest
+    std::filesystem::path journal;  // empty: in the current folder, by the names of the rest;
+                                    // /dev/null keeps none
     std::string options;            // for repeat commands: " --root DIR", or empty
     unsigned jobs = 1;              // threads that check results
     DeviceChoice devices;           // must choose one
