@@ -16,6 +16,8 @@
 #include "bake/bake.h"
 #include "base/file.h"
 #include "base/format.h"
+#include "cmd/options.h"
+#include "cmd/sweep.h"
 #include "image/read.h"
 #include "image/write.h"
 #include "report/catalogue.h"
@@ -31,14 +33,6 @@
 
 namespace etalon {
 namespace {
-
-constexpr int kVerdict = 1;   // a number, a driver or a law is wrong
-constexpr int kBadInput = 2;  // the user or the environment is
-
-int Complain(const std::string& message) {
-    std::cerr << "etalon: " << message << "\n";
-    return kBadInput;
-}
 
 // The compiler recurses over the source's expressions: a deep one needs a deep stack, in every
 // thread that compiles. The limit of the process stays as it is, for the workers inherit that. A
@@ -62,65 +56,6 @@ int Finish(int status) {
     return status;
 }
 
-// A number of these bounds; "nan" is in no bounds.
-CLI::Validator Within(double least, double most) {
-    return CLI::Validator(
-        [least, most](const std::string& text) -> std::string {
-            double value = 0;
-            const bool is_number = CLI::detail::lexical_cast(text, value);
-            return is_number && value >= least && value <= most
-                       ? ""
-                       : format("'{}' is not a number from {} to {}", text, least, most);
-        },
-        "");
-}
-
-// Options that several subcommands share.
-struct DeviceOptions {
-    std::vector<std::string> patterns;
-    std::vector<std::string> drivers;
-    double timeout = 10;
-    std::uint64_t memory = 2048;
-
-    void AddTo(CLI::App& app) {
-        app.add_option("-d,--device", patterns,
-                       "device by name or pattern (vulkan:*); repeatable; default: all")
-            ->type_name("NAME")
-            ->allow_extra_args(false);
-        AddDriverTo(app);
-    }
-    void AddDriverTo(CLI::App& app) {
-        app.add_option("--driver", drivers,
-                       "add the implementations under DIR, as devices @NAME; repeatable")
-            ->type_name("NAME=DIR")
-            ->allow_extra_args(false);
-        app.add_option("--timeout", timeout, "seconds that a device may take for one step")
-            ->capture_default_str()
-            ->check(Within(0.001, 1e6))
-            ->type_name("SECONDS");
-        app.add_option("--memory", memory, "MiB that a device's process may occupy")
-            ->capture_default_str()
-            ->check(Within(1, 1e9))
-            ->type_name("MIB");
-    }
-    Result<DeviceChoice> Choice() const {
-        DeviceChoice choice;
-        choice.patterns = patterns;
-        choice.limits.timeout =
-            std::chrono::milliseconds(static_cast<std::int64_t>(timeout * 1000));
-        choice.limits.memory_bytes = memory << 20;
-        for (const std::string& driver : drivers) {
-            const std::size_t equals = driver.find('=');
-            if (equals == std::string::npos || equals == 0 ||
-                driver.find_first_of("@*?:, ") < equals) {
-                return Error{"--driver '" + driver + "': it reads NAME=DIR"};
-            }
-            choice.drivers.push_back({driver.substr(0, equals), driver.substr(equals + 1)});
-        }
-        return choice;
-    }
-};
-
 int ListDevices(const DeviceOptions& options, bool json, bool all) {
     Result<DeviceChoice> choice = options.Choice();
     if (!choice) {
@@ -137,16 +72,6 @@ int ListDevices(const DeviceOptions& options, bool json, bool all) {
     record.absent = devices->absent;
     std::cout << (json ? DevicesJson(record) : DevicesText(record, all));
     return 0;
-}
-
-Result<std::filesystem::path> RootOf(const std::string& given) {
-    if (given.empty()) {
-        return FindRoot(".");
-    }
-    if (!std::filesystem::is_directory(std::filesystem::path(given) / "cases")) {
-        return Error{"--root '" + given + "': holds no folder 'cases'"};
-    }
-    return std::filesystem::path(given);
 }
 
 int List(const std::string& root, const std::vector<std::string>& patterns) {
@@ -431,6 +356,8 @@ int Main(std::vector<std::string> arguments) {
     explain->add_flag("--json", explain_json, "as JSON, with all operations");
     devices.AddTo(*explain);
 
+    SweepCommand sweep(app);
+
     CLI::App* probe = app.add_subcommand("probe", "Call a function now");
     ProbeChoice probe_choice;
     probe->add_option("SOURCE", probe_choice.source, "GLSL source file")->required();
@@ -528,6 +455,9 @@ int Main(std::vector<std::string> arguments) {
     }
     if (*list_devices) {
         return ListDevices(devices, devices_json, devices_all);
+    }
+    if (sweep.IsChosen()) {
+        return sweep.Run();
     }
     if (*bake) {
         return Bake(bake_choice);

@@ -59,11 +59,19 @@ Judgement JudgeValue(const Acceptance& rule, Scalar scalar, std::uint32_t word, 
 }
 
 void JudgeColumn(const Acceptance& rule, Scalar scalar, std::span<const std::uint32_t> words,
-                 const Truth& truth, std::uint64_t first_row, Summary& summary) {
+                 const Truth& truth, std::uint64_t first_row, Summary& summary,
+                 UlpHistogram* histogram) {
     ETALON_CHECK(!rule.shares);
+    const auto judge_one = [&](std::size_t i) {
+        const Judgement judgement = JudgeValue(rule, scalar, words[i], truth, first_row + i);
+        summary.Add(first_row + i, judgement);
+        if (histogram != nullptr) {
+            histogram->Add(judgement.ulp_error);
+        }
+    };
     if (scalar != Scalar::kFloat) {
         for (std::size_t i = 0; i < words.size(); ++i) {
-            summary.Add(first_row + i, JudgeValue(rule, scalar, words[i], truth, first_row + i));
+            judge_one(i);
         }
         return;
     }
@@ -82,10 +90,10 @@ void JudgeColumn(const Acceptance& rule, Scalar scalar, std::span<const std::uin
             const std::size_t row = first_row + at;
             JudgeAll(rule, std::span(values).subspan(at, end - at),
                      std::span(truth.values).subspan(row, end - at),
-                     std::span(truth.errors).subspan(row, end - at), row, summary);
+                     std::span(truth.errors).subspan(row, end - at), row, summary, histogram);
             at = end;
         } else {
-            summary.Add(first_row + at, JudgeValue(rule, scalar, words[at], truth, first_row + at));
+            judge_one(at);
             ++at;
             ++other;
         }

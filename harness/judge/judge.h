@@ -27,9 +27,11 @@ struct Truth {
 };
 
 // Judges words[i], of row first_row + i, against the truth at that row. Floats by the rule; int,
-// uint and bool must be equal. The summary's indices are rows. For rules without shares.
+// uint and bool must be equal. The summary's indices are rows; the errors go into the histogram
+// too, where there is one. For rules without shares.
 void JudgeColumn(const Acceptance& rule, Scalar scalar, std::span<const std::uint32_t> words,
-                 const Truth& truth, std::uint64_t first_row, Summary& summary);
+                 const Truth& truth, std::uint64_t first_row, Summary& summary,
+                 UlpHistogram* histogram = nullptr);
 
 // The same under a rule with shares: adds to the tally, which is settled after the last row.
 void TallyColumn(const Acceptance& rule, Scalar scalar, std::span<const std::uint32_t> words,

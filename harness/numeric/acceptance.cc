@@ -94,9 +94,10 @@ struct BlockMaxima {
     bool special = false;  // something is not finite: the maxima are void
 };
 
-template <bool kExact, typename ErrorAt>
+// Where kErrors, the errors in ulp of all rows are left in `errors`.
+template <bool kExact, bool kErrors, typename ErrorAt>
 BlockMaxima Scan(const Grant& given, const float* values, const double* truths, std::size_t first,
-                 std::size_t rows, const ErrorAt& error_at) {
+                 std::size_t rows, const ErrorAt& error_at, double* errors) {
     const Grant grant = given;
     double ulp_error[kLanes] = {};
     double used[kLanes] = {};
@@ -133,6 +134,9 @@ BlockMaxima Scan(const Grant& given, const float* values, const double* truths, 
                 tolerance = tolerance > 5e-324 ? tolerance : 5e-324;
                 share = error / tolerance;
             }
+            if constexpr (kErrors) {
+                errors[row - first + lane] = in_ulp;
+            }
             ulp_error[lane] = in_ulp > ulp_error[lane] ? in_ulp : ulp_error[lane];
             used[lane] = share > used[lane] ? share : used[lane];
         }
@@ -147,12 +151,29 @@ BlockMaxima Scan(const Grant& given, const float* values, const double* truths, 
     return maxima;
 }
 
-template <typename ErrorAt>
+// Counts the errors of a block. Neighbours mostly fall into one bin, and a counter that was just
+// written is slow to read: hence one for each lane.
+void Count(const double* errors, std::size_t rows, UlpHistogram& histogram) {
+    std::uint32_t counts[kLanes][UlpHistogram::kBins] = {};
+    for (std::size_t row = 0; row < rows; row += kLanes) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            ++counts[lane][UlpHistogram::BinOf(errors[row + lane])];
+        }
+    }
+    for (const auto& lane : counts) {
+        for (std::size_t bin = 0; bin < UlpHistogram::kBins; ++bin) {
+            histogram.counts()[bin] += lane[bin];
+        }
+    }
+}
+
+template <bool kErrors, typename ErrorAt>
 void JudgeBlocks(const Acceptance& rule, std::span<const float> values,
                  std::span<const double> truths, std::uint64_t first, Summary& summary,
-                 const ErrorAt& error_at) {
+                 UlpHistogram* histogram, const ErrorAt& error_at) {
     ETALON_CHECK(values.size() == truths.size());
     const Grant grant(rule);
+    double errors[kErrors ? kBlock : 1];
     const auto judge = [&](std::size_t row) {
         return JudgeOne(grant, values[row], truths[row], error_at(row, std::fabs(truths[row])));
     };
@@ -164,16 +185,25 @@ void JudgeBlocks(const Acceptance& rule, std::span<const float> values,
     double worst_used = summary.worst_used;
     for (std::size_t at = 0; at < values.size(); at += kBlock) {
         const std::size_t rows = std::min(kBlock, values.size() - at);
-        const BlockMaxima maxima =
-            grant.exact ? Scan<true>(grant, values.data(), truths.data(), at, rows, error_at)
-                        : Scan<false>(grant, values.data(), truths.data(), at, rows, error_at);
+        const BlockMaxima maxima = grant.exact
+                                       ? Scan<true, kErrors>(grant, values.data(), truths.data(),
+                                                             at, rows, error_at, errors)
+                                       : Scan<false, kErrors>(grant, values.data(), truths.data(),
+                                                              at, rows, error_at, errors);
         if (maxima.special || maxima.used > 1) {
             for (std::size_t row = at; row < at + rows; ++row) {
-                summary.Add(first + row, judge(row));
+                const Judgement judgement = judge(row);
+                summary.Add(first + row, judgement);
+                if constexpr (kErrors) {
+                    histogram->Add(judgement.ulp_error);
+                }
             }
             continue;
         }
         summary.judged += rows;
+        if constexpr (kErrors) {
+            Count(errors, rows, *histogram);
+        }
         if (maxima.ulp_error > worst_ulp_error) {
             worst_ulp_error = maxima.ulp_error;
             worst_ulp_block = at;
@@ -258,21 +288,37 @@ void Summary::Compare(std::uint64_t index, const Judgement& judgement) {
     keep(judgement.used, worst_used, worst_used_at);
 }
 
-void JudgeAll(const Acceptance& rule, std::span<const float> values, std::span<const double> truths,
-              std::span<const double> truth_errors, std::uint64_t first, Summary& summary) {
-    ETALON_CHECK(truth_errors.size() == truths.size());
-    JudgeBlocks(rule, values, truths, first, summary,
-                [errors = truth_errors.data()](std::size_t row, double) { return errors[row]; });
+void Summary::Add(const Summary& other) {
+    judged += other.judged;
+    refused += other.refused;
+    first_refused = std::min(first_refused, other.first_refused);
+    Compare(other.worst_ulp_at, {.ulp_error = other.worst_ulp_error});
+    Compare(other.worst_used_at, {.used = other.worst_used});
 }
 
 void JudgeAll(const Acceptance& rule, std::span<const float> values, std::span<const double> truths,
-              double relative_bound, double absolute_bound, std::uint64_t first, Summary& summary) {
+              std::span<const double> truth_errors, std::uint64_t first, Summary& summary,
+              UlpHistogram* histogram) {
+    ETALON_CHECK(truth_errors.size() == truths.size());
+    const auto error_at = [errors = truth_errors.data()](std::size_t row, double) {
+        return errors[row];
+    };
+    const auto judge = histogram == nullptr ? JudgeBlocks<false, decltype(error_at)>
+                                            : JudgeBlocks<true, decltype(error_at)>;
+    judge(rule, values, truths, first, summary, histogram, error_at);
+}
+
+void JudgeAll(const Acceptance& rule, std::span<const float> values, std::span<const double> truths,
+              double relative_bound, double absolute_bound, std::uint64_t first, Summary& summary,
+              UlpHistogram* histogram) {
     const double relative = relative_bound / (1 - relative_bound);
     const double absolute = absolute_bound / (1 - relative_bound);
-    JudgeBlocks(rule, values, truths, first, summary,
-                [relative, absolute](std::size_t, double magnitude) {
-                    return magnitude < kInfinity ? relative * magnitude + absolute : 0;
-                });
+    const auto error_at = [relative, absolute](std::size_t, double magnitude) {
+        return magnitude < kInfinity ? relative * magnitude + absolute : 0;
+    };
+    const auto judge = histogram == nullptr ? JudgeBlocks<false, decltype(error_at)>
+                                            : JudgeBlocks<true, decltype(error_at)>;
+    judge(rule, values, truths, first, summary, histogram, error_at);
 }
 
 double TruthError(double truth, double relative_bound, double absolute_bound) {

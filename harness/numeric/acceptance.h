@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "numeric/histogram.h"
 #include "numeric/number_text.h"
 
 namespace etalon {
@@ -90,15 +91,21 @@ struct Summary {
     void Add(std::uint64_t index, const Judgement& judgement);
     // Keeps the worst only, without counting.
     void Compare(std::uint64_t index, const Judgement& judgement);
+    // What both say together, whichever of them comes first.
+    void Add(const Summary& other);
+
+    friend bool operator==(const Summary&, const Summary&) = default;
 };
 
 // Judges values[i] against truths[i] under the index first + i, as Judge would, and adds to the
-// summary. The truths' own errors are one bound each (as many as truths), or the relative and
-// absolute bound of their oracle.
+// summary, and where there is one to the histogram. The truths' own errors are one bound each (as
+// many as truths), or the relative and absolute bound of their oracle.
 void JudgeAll(const Acceptance& rule, std::span<const float> values, std::span<const double> truths,
-              std::span<const double> truth_errors, std::uint64_t first, Summary& summary);
+              std::span<const double> truth_errors, std::uint64_t first, Summary& summary,
+              UlpHistogram* histogram = nullptr);
 void JudgeAll(const Acceptance& rule, std::span<const float> values, std::span<const double> truths,
-              double relative_bound, double absolute_bound, std::uint64_t first, Summary& summary);
+              double relative_bound, double absolute_bound, std::uint64_t first, Summary& summary,
+              UlpHistogram* histogram = nullptr);
 
 // The bound on |truth - exact| of a truth whose oracle states its bounds relative to the exact
 // value; 0 where the truth is not finite.

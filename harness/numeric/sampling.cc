@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/check.h"
+#include "base/hash.h"
 #include "numeric/ulp.h"
 
 namespace etalon {
@@ -66,11 +67,9 @@ std::uint64_t Mix(std::uint64_t seed, std::uint64_t index) {
 }
 
 std::uint64_t Mix(std::uint64_t seed, std::string_view name) {
-    std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
-    for (const char letter : name) {
-        hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3u;
-    }
-    return Mix(Mix(seed, hash), 0);
+    Hash hash;
+    hash.Add(name);
+    return Mix(Mix(seed, hash.value()), 0);
 }
 
 double Uniform(std::uint64_t seed, std::uint64_t index) {

@@ -27,13 +27,24 @@ inline double Ulp(double x) {
 // far, whatever the rule allows.
 double UlpError(float value, double truth);
 
+inline float FromBits(std::uint32_t bits) {
+    return std::bit_cast<float>(bits);
+}
+inline std::uint32_t ToBits(float value) {
+    return std::bit_cast<std::uint32_t>(value);
+}
+
 // Floats in numeric order as integers: adjacent floats differ by one, -0 and +0 by one as well. NaN
 // is not ordered.
-std::int64_t OrderedBits(float value);
-float FromOrderedBits(std::int64_t ordered);
-
-float FromBits(std::uint32_t bits);
-std::uint32_t ToBits(float value);
+inline std::int64_t OrderedBits(float value) {
+    const std::uint32_t bits = ToBits(value);
+    const auto magnitude = static_cast<std::int64_t>(bits & 0x7fffffffu);
+    return (bits >> 31) != 0 ? -1 - magnitude : magnitude;
+}
+inline float FromOrderedBits(std::int64_t ordered) {
+    return ordered < 0 ? FromBits(0x80000000u | static_cast<std::uint32_t>(-1 - ordered))
+                       : FromBits(static_cast<std::uint32_t>(ordered));
+}
 
 // A subnormal becomes the zero of its sign; all else stays.
 float Flush(float value);

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "base/format.h"
+#include "base/hash.h"
 
 namespace etalon {
 
@@ -44,12 +45,9 @@ std::string Fingerprint(const DeviceInfo& device) {
             all += "|" + word;
         }
     }
-    // FNV-1a: short, and the same on every machine.
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const char c : all) {
-        hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    }
-    return format("{:012x}", hash >> 16);
+    Hash hash;
+    hash.Add(all);
+    return format("{:012x}", hash.value() >> 16);
 }
 
 }  // namespace etalon

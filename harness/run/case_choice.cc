@@ -58,4 +58,17 @@ Result<std::vector<std::string>> ChooseCases(const std::filesystem::path& root,
     return chosen;
 }
 
+Result<std::string> ChooseOneCase(const std::filesystem::path& root, const std::string& pattern,
+                                  const std::string& done) {
+    ETALON_TRY(paths, ChooseCases(root, {pattern}));
+    if (std::find(paths.begin(), paths.end(), pattern) != paths.end()) {
+        return pattern;
+    }
+    if (paths.size() != 1) {
+        return Error{"'" + pattern + "' names " + std::to_string(paths.size()) +
+                     " cases, and one is " + done + "; `etalon list` shows them"};
+    }
+    return std::move(paths.front());
+}
+
 }  // namespace etalon

@@ -17,4 +17,9 @@ Result<std::filesystem::path> FindRoot(const std::filesystem::path& from);
 Result<std::vector<std::string>> ChooseCases(const std::filesystem::path& root,
                                              const std::vector<std::string>& patterns);
 
+// The address of the one case that the pattern is, or names alone. `done` says what is done to one
+// case only: "explained".
+Result<std::string> ChooseOneCase(const std::filesystem::path& root, const std::string& pattern,
+                                  const std::string& done);
+
 }  // namespace etalon

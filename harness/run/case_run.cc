@@ -72,27 +72,6 @@ class Collector {
     std::vector<JudgedThing> things_;
 };
 
-void SetFailure(const EvaluationFailure& failure, Record& record) {
-    using Kind = EvaluationFailure::Kind;
-    record.reason = failure.reason;
-    switch (failure.kind) {
-        case Kind::kUnsupported:
-            record.verdict = Verdict::kSkip;
-            return;
-        case Kind::kInput:
-        case Kind::kRejected:
-        case Kind::kStopped:
-            record.verdict = Verdict::kFail;
-            return;
-        case Kind::kCrash:
-            record.verdict = Verdict::kCrash;
-            return;
-        case Kind::kTimeout:
-            record.verdict = Verdict::kTimeout;
-            return;
-    }
-}
-
 Rows RowsOfTable(const Table& table) {
     return {table.words, table.rows, table.columns.size()};
 }
@@ -124,7 +103,8 @@ std::optional<Gathered> Evaluate(const Call& call, const Signature& signature, c
         });
     record.flake += runner.flake();
     if (!evaluated) {
-        SetFailure(evaluated.error(), record);
+        record.verdict = VerdictOf(evaluated.error());
+        record.reason = evaluated.error().reason;
         return std::nullopt;
     }
     return results;
@@ -285,6 +265,23 @@ void SetVerdict(Record& record) {
 }
 
 }  // namespace
+
+Verdict VerdictOf(const EvaluationFailure& failure) {
+    using Kind = EvaluationFailure::Kind;
+    switch (failure.kind) {
+        case Kind::kUnsupported:
+            return Verdict::kSkip;
+        case Kind::kInput:
+        case Kind::kRejected:
+        case Kind::kStopped:
+            return Verdict::kFail;
+        case Kind::kCrash:
+            return Verdict::kCrash;
+        case Kind::kTimeout:
+            return Verdict::kTimeout;
+    }
+    return Verdict::kFail;
+}
 
 Record RunCase(const PreparedCase& prepared, Runner& runner, const Recipe& recipe,
                Evaluations& evaluations, const RepeatContext& context) {

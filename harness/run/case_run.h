@@ -17,6 +17,9 @@ struct RepeatContext {
     std::string options;  // "--root DIR --driver NAME=DIR", with a leading space, or empty
 };
 
+// What it makes of a case that it happens to.
+Verdict VerdictOf(const EvaluationFailure& failure);
+
 // Never fails: whatever happens is a verdict. Expected failures of the case are taken into account.
 // The case must stay where it is as long as the evaluations are used.
 Record RunCase(const PreparedCase& prepared, Runner& runner, const Recipe& recipe,

@@ -19,18 +19,6 @@ namespace {
 // At most so many rows are run to find the worst input on a device that interprets shaders.
 constexpr std::uint64_t kSlowRows = 2048;
 
-Result<std::string> ChooseCase(const ExplainChoice& choice) {
-    ETALON_TRY(paths, ChooseCases(choice.root, {choice.pattern}));
-    if (std::find(paths.begin(), paths.end(), choice.pattern) != paths.end()) {
-        return choice.pattern;
-    }
-    if (paths.size() != 1) {
-        return Error{"'" + choice.pattern + "' names " + std::to_string(paths.size()) +
-                     " cases, and one is explained; `etalon list` shows them"};
-    }
-    return std::move(paths.front());
-}
-
 Result<std::vector<Recipe>> RecipesOf(const ExplainChoice& choice) {
     std::vector<Recipe> recipes;
     for (const std::string& text : choice.recipes) {
@@ -179,7 +167,7 @@ std::string RuleOf(const Subject& subject) {
 }  // namespace
 
 Result<Explanation> Explain(const ExplainChoice& choice) {
-    ETALON_TRY(name, ChooseCase(choice));
+    ETALON_TRY(name, ChooseOneCase(choice.root, choice.pattern, "explained"));
     ETALON_TRY(wanted, RecipesOf(choice));
     ETALON_TRY(source, ReadCase(choice.root, name));
     Explanation explanation;

@@ -1,95 +1,16 @@
 #include "run/prepared_case.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <iterator>
 
 #include "compile/compile.h"
-#include "numeric/ulp.h"
+#include "run/given.h"
 #include "run/images.h"
+#include "run/truths.h"
 
 namespace etalon {
 namespace {
-
-bool IsSubnormal(std::uint32_t word) {
-    return (word & 0x7f800000u) == 0 && (word & 0x007fffffu) != 0;
-}
-
-// Inputs as binary64, by columns.
-std::vector<std::vector<double>> Doubles(const Table& table, bool flush) {
-    std::vector<std::vector<double>> columns(table.columns.size());
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-        columns[c].resize(table.rows);
-        for (std::uint64_t row = 0; row < table.rows; ++row) {
-            const double value = WordValue(table.columns[c].scalar, table.At(row, c));
-            columns[c][row] =
-                flush && table.columns[c].scalar == Scalar::kFloat ? FlushBinary32(value) : value;
-        }
-    }
-    return columns;
-}
-
-Table RowsOf(const Table& table, const std::vector<std::uint64_t>& rows) {
-    Table some = table;
-    some.rows = rows.size();
-    some.words.resize(rows.size() * table.columns.size());
-    for (std::size_t c = 0; c < table.columns.size(); ++c) {
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            some.words[c * rows.size() + i] = table.At(rows[i], c);
-        }
-    }
-    return some;
-}
-
-std::vector<std::uint64_t> SubnormalRows(const Table& table) {
-    std::vector<std::uint64_t> rows;
-    for (std::uint64_t row = 0; row < table.rows; ++row) {
-        for (std::size_t c = 0; c < table.columns.size(); ++c) {
-            if (table.columns[c].scalar == Scalar::kFloat && IsSubnormal(table.At(row, c))) {
-                rows.push_back(row);
-                break;
-            }
-        }
-    }
-    return rows;
-}
-
-// Values of an expression at all rows, by columns, with their errors.
-void EvaluateAt(const Expression& expression, const Table& table, bool flush,
-                std::vector<double>& values, std::vector<double>& errors) {
-    const std::vector<std::vector<double>> columns = Doubles(table, flush);
-    std::vector<const double*> pointers;
-    pointers.reserve(columns.size());
-    for (const std::vector<double>& column : columns) {
-        pointers.push_back(column.data());
-    }
-    if (expression.IsFast()) {
-        expression.EvaluateFast(pointers, table.rows, values);
-        errors.resize(values.size());
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            errors[i] =
-                TruthError(values[i], expression.relative_bound(), expression.absolute_bound());
-        }
-        return;
-    }
-    std::vector<Expression::Value> results;
-    expression.Evaluate(pointers, table.rows, results);
-    values.resize(results.size());
-    errors.resize(results.size());
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        values[i] = results[i].value;
-        errors[i] = results[i].error;
-    }
-}
-
-std::vector<Symbol> Symbols(const Table& table) {
-    std::vector<Symbol> symbols;
-    for (const Variable& variable : table.variables) {
-        symbols.push_back({variable.name, variable.columns});
-    }
-    return symbols;
-}
 
 Result<Call> CallOf(const Case& source, const Table& table) {
     Call call;
@@ -122,35 +43,13 @@ Result<Call> CallOf(const Case& source, const Table& table) {
 Result<std::vector<Truth>> Truths(const Expectation& expectation, std::size_t columns,
                                   const Table& table) {
     Expression truth = *expectation.truth;
-    ETALON_TRY(components, truth.Bind(Symbols(table)));
+    ETALON_TRY(components, truth.Bind(Symbols(table.variables)));
     if (columns != components) {
         return Error{expectation.place.Text() + "'" + expectation.output + "' has " +
                      std::to_string(columns) + " components, its oracle " +
                      std::to_string(components)};
     }
-    const std::vector<std::uint64_t> subnormal = SubnormalRows(table);
-    std::vector<double> values;
-    std::vector<double> errors;
-    EvaluateAt(truth, table, false, values, errors);
-    std::vector<double> other_values;
-    std::vector<double> other_errors;
-    if (!subnormal.empty()) {
-        EvaluateAt(truth, RowsOf(table, subnormal), true, other_values, other_errors);
-    }
-    std::vector<Truth> truths(columns);
-    for (std::size_t k = 0; k < columns; ++k) {
-        const auto part = [&](const std::vector<double>& all) {
-            const auto from = all.begin() + static_cast<std::ptrdiff_t>(k * table.rows);
-            return std::vector<double>(from, from + static_cast<std::ptrdiff_t>(table.rows));
-        };
-        truths[k].values = part(values);
-        truths[k].errors = part(errors);
-        for (std::size_t i = 0; i < subnormal.size(); ++i) {
-            const std::size_t at = k * subnormal.size() + i;
-            truths[k].alternatives.push_back({subnormal[i], other_values[at], other_errors[at]});
-        }
-    }
-    return truths;
+    return TruthsOf(truth, table);
 }
 
 // The name of the device's own specification.
@@ -240,7 +139,9 @@ Result<PreparedLaw> PrepareLaw(const Law& law, const Call& call) {
     return prepared;
 }
 
-Result<PreparedCase> PrepareWith(const Case& source, Table table) {
+}  // namespace
+
+Result<PreparedCase> PrepareRows(const Case& source, Table table) {
     PreparedCase prepared;
     prepared.source = source;
     prepared.table = std::move(table);
@@ -261,51 +162,23 @@ Result<PreparedCase> PrepareWith(const Case& source, Table table) {
     return prepared;
 }
 
-}  // namespace
-
 Result<PreparedCase> Prepare(const Case& source) {
     ETALON_TRY(table, Expand(source.domains, source.seed));
     ETALON_TRY_STEP(CheckAcceptance(source, table));
-    return PrepareWith(source, std::move(table));
+    return PrepareRows(source, std::move(table));
 }
 
 Result<PreparedCase> PrepareAt(const Case& source, const std::string& at) {
     ETALON_TRY(all, Expand(source.domains, source.seed));
     Table table = RowsOf(all, {0});
-    std::vector<bool> given(table.columns.size(), false);
-    std::size_t from = 0;
-    while (from <= at.size()) {
-        const std::size_t comma = std::min(at.find(',', from), at.size());
-        std::string item = at.substr(from, comma - from);
-        from = comma + 1;
-        item.erase(0, item.find_first_not_of(' '));
-        const std::size_t equals = item.find('=');
-        if (equals == std::string::npos) {
-            return Error{"--at: '" + item + "' is not NAME=VALUE"};
-        }
-        const std::string name = item.substr(0, equals);
-        const auto column = std::find_if(table.columns.begin(), table.columns.end(),
-                                         [&](const Column& one) { return one.name == name; });
-        if (column == table.columns.end()) {
-            return Error{"--at: the case has no input '" + name + "'"};
-        }
-        Result<std::uint32_t> word = ParseWord(column->scalar, item.substr(equals + 1));
-        if (!word) {
-            return Error{"--at: " + name + ": " + word.error().message};
-        }
-        const auto index = static_cast<std::size_t>(column - table.columns.begin());
-        if (given[index]) {
-            return Error{"--at: '" + name + "' stands twice"};
-        }
-        table.words[index] = *word;
-        given[index] = true;
-    }
+    ETALON_TRY(given, ReadGiven(table.columns, at));
     for (std::size_t i = 0; i < given.size(); ++i) {
         if (!given[i]) {
             return Error{"--at: no value for input '" + table.columns[i].name + "'"};
         }
+        table.words[i] = *given[i];
     }
-    ETALON_TRY(prepared, PrepareWith(source, std::move(table)));
+    ETALON_TRY(prepared, PrepareRows(source, std::move(table)));
     prepared.extent = Extent::kGiven;
     return std::move(prepared);
 }

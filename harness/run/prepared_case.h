@@ -54,6 +54,10 @@ struct PreparedCase {
 // or its shader is an error here, before anything runs.
 Result<PreparedCase> Prepare(const Case& source);
 
+// The same at the rows of this table, which has the columns of the case's domain, whatever they
+// are; the acceptance is not held against them (CheckAcceptance).
+Result<PreparedCase> PrepareRows(const Case& source, Table table);
+
 // The same case at the one input that `at` describes: "n1=0x1p+0, v.x=0.5". All inputs must be
 // given.
 Result<PreparedCase> PrepareAt(const Case& source, const std::string& at);

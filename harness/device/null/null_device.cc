@@ -58,13 +58,24 @@ struct Behaviour {
 // As echo; what it is like to be slow, Etalon takes from the device's word.
 constexpr std::string_view kSlow = "slow";
 
+// As echo, but one float comes back as its successor's successor.
+constexpr std::string_view kFlaw = "flaw";
+constexpr std::uint32_t kFlawedWord = 0x3f333333u;  // 0.7
+
 constexpr Behaviour kBehaviours[] = {
-    {"echo", Moment::kNever, nullptr},    {kSlow, Moment::kNever, nullptr},
-    {"crash", Moment::kRun, Crash},       {"crash-once", Moment::kRun, Crash, true},
-    {"crash-load", Moment::kLoad, Crash}, {"crash-open", Moment::kOpen, Crash},
-    {"hang", Moment::kRun, Hang},         {"hang-once", Moment::kRun, Hang, true},
-    {"memory", Moment::kRun, EatMemory},  {"lost", Moment::kRun, Lose},
-    {"rejects", Moment::kLoad, Reject},   {"unsupported", Moment::kLoad, Decline},
+    {"echo", Moment::kNever, nullptr},
+    {kSlow, Moment::kNever, nullptr},
+    {kFlaw, Moment::kNever, nullptr},
+    {"crash", Moment::kRun, Crash},
+    {"crash-once", Moment::kRun, Crash, true},
+    {"crash-load", Moment::kLoad, Crash},
+    {"crash-open", Moment::kOpen, Crash},
+    {"hang", Moment::kRun, Hang},
+    {"hang-once", Moment::kRun, Hang, true},
+    {"memory", Moment::kRun, EatMemory},
+    {"lost", Moment::kRun, Lose},
+    {"rejects", Moment::kLoad, Reject},
+    {"unsupported", Moment::kLoad, Decline},
 };
 
 class NullDevice : public Device {
@@ -107,6 +118,9 @@ class NullDevice : public Device {
         for (std::size_t column = 0; column < outputs.size() / rows; ++column) {
             const auto source = inputs.subspan(column % input_words * rows, rows);
             std::copy(source.begin(), source.end(), outputs.subspan(column * rows).begin());
+        }
+        if (behaviour_.name == kFlaw) {
+            std::replace(outputs.begin(), outputs.end(), kFlawedWord, kFlawedWord + 2);
         }
         return Ok();
     }

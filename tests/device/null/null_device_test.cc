@@ -43,6 +43,17 @@ TEST(NullDevice, OffersEachBehaviourOnce) {
     EXPECT_TRUE(NullCandidates(Driver{"mesa25", "/opt/mesa"}).empty());
 }
 
+TEST(NullDevice, TheFlawIsInOneFloat) {
+    const auto device = Open(Named("flaw"));
+    ASSERT_NE(device, nullptr);
+    const auto one = device->Load(Shape(1, 1));
+    ASSERT_TRUE(one);
+    const std::vector<std::uint32_t> inputs = {0x3f333332u, 0x3f333333u, 0x3f333334u};
+    std::vector<std::uint32_t> outputs(3);
+    ASSERT_TRUE(device->Run(*one, 3, inputs, outputs));
+    EXPECT_THAT(outputs, ElementsAre(0x3f333332u, 0x3f333335u, 0x3f333334u));
+}
+
 TEST(NullDevice, EchoesByColumns) {
     const auto device = Open(Named("echo"));
     ASSERT_NE(device, nullptr);
