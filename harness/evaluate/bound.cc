@@ -230,9 +230,9 @@ std::uint64_t WaysLeft(const Way& way) {
 
 class Bounder {
   public:
-    Bounder(std::shared_ptr<const Plan> plan, std::vector<Texture> images,
+    Bounder(std::shared_ptr<const Plan> plan, const std::vector<Texture>& images,
             const Rows<Interval>& rows, std::span<Bound> bounds, Limits limits)
-        : runner_(std::move(plan), std::move(images), limits),
+        : runner_(std::move(plan), images, limits),
           rows_(rows),
           limits_(limits),
           ways_(rows.count),

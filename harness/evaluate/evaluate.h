@@ -53,7 +53,8 @@ template <typename Number>
 class Evaluator {
   public:
     // The plan and the images must outlive it; images stand in the order of their bindings.
-    Evaluator(std::shared_ptr<const Plan> plan, std::vector<Texture> images, Limits limits = {});
+    Evaluator(std::shared_ptr<const Plan> plan, const std::vector<Texture>& images,
+              Limits limits = {});
     ~Evaluator();
     Evaluator(const Evaluator&) = delete;
     Evaluator& operator=(const Evaluator&) = delete;

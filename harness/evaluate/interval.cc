@@ -37,7 +37,7 @@ constexpr float kLeastNormalFloat = 0x1p-126f;
 // A factor that is a power of two changes no rounding, unless something is subnormal or overflows.
 bool Scales(const Interval& by, const Interval& x) {
     return IsPowerOfTwo(by) && by.finest * x.finest >= kLeastNormalFloat &&
-           by.magnitude * x.peak <= kLargest;
+           by.peak * x.peak <= kLargest;
 }
 
 Interval Scaled(const Interval& x, const Interval& by) {
@@ -48,7 +48,7 @@ Interval Scaled(const Interval& x, const Interval& by) {
     result.magnitude *= factor;
     result.error *= factor;
     result.quantum *= factor;
-    result.peak *= std::max(1.0, factor);
+    result.peak *= by.peak;
     result.finest *= by.finest;
     result.is_scaled = true;
     return x.magnitude == 0 ? Unsigned(result) : result;

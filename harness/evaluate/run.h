@@ -305,9 +305,9 @@ struct Evaluator<N>::State : Runner<N> {
 };
 
 template <typename N>
-Evaluator<N>::Evaluator(std::shared_ptr<const Plan> plan, std::vector<Texture> images,
+Evaluator<N>::Evaluator(std::shared_ptr<const Plan> plan, const std::vector<Texture>& images,
                         Limits limits)
-    : state_(std::make_unique<State>(std::move(plan), std::move(images), limits)) {}
+    : state_(std::make_unique<State>(std::move(plan), images, limits)) {}
 
 template <typename N>
 Evaluator<N>::~Evaluator() = default;

@@ -252,6 +252,8 @@ TEST(Profile, IsFoundByItsName) {
 }
 
 TEST(Bound, OfAZeroTimesWhatOverflowsIsAnything) {
+    // The product, taken into the sum, is 0 times what overflows; taken out of it, it is not there.
+    EXPECT_EQ(BoundAt("(a * b + 1.0) * c", {0.0f, 1e30f, 1e30f}).kind, Bound::Kind::kUnbounded);
     EXPECT_EQ(BoundAt("a + (b * c) * d", {1.0f, 1e30f, 1e30f, 0.0f}).kind, Bound::Kind::kUnbounded);
     EXPECT_BOUND(BoundAt("a + (b * c) * d", {1.0f, 1e10f, 1e10f, 0.0f}), 1.0f, 1.0f);
 }
