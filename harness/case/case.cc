@@ -48,7 +48,8 @@ class CaseReader {
         ETALON_TRY_STEP(ReadExpectations());
         ETALON_TRY_STEP(ReadLaws());
         if (case_.expectations.empty() && case_.laws.empty()) {
-            return reader_.Fail(1, "nothing is judged: give an oracle, a law, or accept = { spec = ... }");
+            return reader_.Fail(
+                1, "nothing is judged: give an oracle, a law, or accept = { spec = ... }");
         }
         ETALON_TRY(failures, Tables("expected_failure"));
         for (const toml::table* failure : failures) {

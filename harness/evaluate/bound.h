@@ -4,9 +4,9 @@
 // neighbour, errors in ulp or absolute, errors inherited from formulas, subnormal numbers taken as
 // zeros, and, but for what is decorated NoContraction, any contraction and rearrangement by
 // associativity, commutativity and distributivity. Where a comparison may go either way both ways
-// are taken and the bound is their hull. What is undefined has no bound (a division by zero, a float
-// that no int is, a shift beyond the word, a variable of floats without a value), nor has what is
-// decorated RelaxedPrecision.
+// are taken and the bound is their hull. What is undefined has no bound (a division by zero, a
+// float that no int is, a shift beyond the word, a variable of floats without a value), nor has
+// what is decorated RelaxedPrecision.
 #pragma once
 
 #include <cstdint>

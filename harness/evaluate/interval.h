@@ -37,7 +37,7 @@ struct Interval {
     float factors = 0;              // roundings in the making of a term, at most
     float finest = 1;               // every product of some factors of a term is a multiple of it
     std::int16_t sign = 1;          // 1: no term is negative, -1: none is positive, 0: neither
-    bool is_scaled = false;         // by powers of two, without rounding, and not counted
+    bool is_scaled = false;         // by powers of two, or a zero added, which is not counted
     bool is_quotient = false;       // of settled values, and nothing more
 
     // A zero whose sign is not known goes from -0 to +0.
@@ -145,10 +145,12 @@ inline bool IsPowerOfTwo(const Interval& x) {
 inline Interval Add(const Interval& a, const Interval& b) {
     // Adding zero rounds nothing; but a zero times what may overflow may be a NaN.
     if (a.magnitude == 0 || b.magnitude == 0) {
-        if ((a.magnitude == 0 ? a : b).peak > kLargest) {
+        const Interval& zero = a.magnitude == 0 ? a : b;
+        if (zero.peak > kLargest) {
             return Anything();
         }
         Interval x = a.magnitude == 0 ? b : a;
+        x.is_scaled = x.is_scaled || zero.is_scaled || !zero.IsSettled();
         x.peak = std::max(a.peak, b.peak);
         x.finest = std::min(a.finest, b.finest);
         return x.magnitude == 0 ? Unsigned(x) : x;

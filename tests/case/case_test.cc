@@ -159,8 +159,9 @@ TEST_F(CaseTest, SaysWhereWhatIsWrong) {
     EXPECT_EQ(Complaint("source = \"s\"\ncall = 3\n"),
               "cases/x.toml:2: 'call' must be a text in quotes");
     EXPECT_EQ(Complaint(kHead), "cases/x.toml:1: [domain] is missing");
-    EXPECT_EQ(Complaint("source = \"s\"\ncall = \"f(x)\"\n" + kDomain),
-              "cases/x.toml:1: nothing is judged: give an oracle, a law, or accept = { spec = ... }");
+    EXPECT_EQ(
+        Complaint("source = \"s\"\ncall = \"f(x)\"\n" + kDomain),
+        "cases/x.toml:1: nothing is judged: give an oracle, a law, or accept = { spec = ... }");
     EXPECT_EQ(Complaint(kHead + "seed = -1\n" + kDomain),
               "cases/x.toml:6: 'seed' must be an integer, 0 or more");
     EXPECT_EQ(Complaint(kHead + "recipes = [1]\n" + kDomain),
