@@ -58,6 +58,11 @@ Result<DeviceChoice> DeviceOptions::Choice() const {
     return choice;
 }
 
+void AddRoot(CLI::App& app, std::string& root) {
+    app.add_option("--root", root, "folder that holds cases/; default: here or above")
+        ->type_name("DIR");
+}
+
 Result<std::filesystem::path> RootOf(const std::string& given) {
     if (given.empty()) {
         return FindRoot(".");

@@ -32,6 +32,8 @@ struct DeviceOptions {
     Result<DeviceChoice> Choice() const;
 };
 
+void AddRoot(CLI::App& app, std::string& root);
+
 // The folder that holds cases/: the one given, else that above the current folder.
 Result<std::filesystem::path> RootOf(const std::string& given);
 

@@ -1,4 +1,4 @@
-#include "cmd/sweep.h"
+#include "run/sweep.h"
 
 #include <algorithm>
 #include <charconv>
@@ -6,6 +6,8 @@
 #include <thread>
 
 #include "base/file.h"
+#include "cmd/command.h"
+#include "cmd/options.h"
 
 namespace etalon {
 namespace {
@@ -25,10 +27,26 @@ Result<SweepShard> ReadShard(const std::string& text) {
     return Error{"--shard '" + text + "': it reads I/N, 1/4 to 4/4"};
 }
 
-}  // namespace
+class SweepCommand : public Command {
+  public:
+    explicit SweepCommand(CLI::App& app);
+
+    int Run() override;
+
+  private:
+    Result<SweepRecord> Find();
+
+    SweepChoice choice_;
+    std::string root_;
+    std::string shard_;
+    bool exhaustive_ = false;
+    bool json_ = false;
+    std::vector<std::string> merged_;
+    DeviceOptions devices_;
+};
 
 SweepCommand::SweepCommand(CLI::App& app)
-    : word_(app.add_subcommand(
+    : Command(app.add_subcommand(
           "sweep",
           "Every float of one input of a case, judged on one device; a journal lets it go "
           "on after it was ended")) {
@@ -70,8 +88,7 @@ SweepCommand::SweepCommand(CLI::App& app)
         ->check(Within(1, 1024))
         ->type_name("N");
     word_->add_flag("--json", json_, "as JSON");
-    word_->add_option("--root", root_, "folder that holds cases/; default: here or above")
-        ->type_name("DIR");
+    AddRoot(*word_, root_);
     devices_.AddTo(*word_);
     pattern->excludes(merge);
 }
@@ -110,6 +127,12 @@ int SweepCommand::Run() {
     }
     std::cout << (json_ ? SweepJson(*record) : SweepText(*record));
     return record->verdict == Verdict::kPass ? 0 : kVerdict;
+}
+
+}  // namespace
+
+std::unique_ptr<Command> AddSweep(CLI::App& app) {
+    return std::make_unique<SweepCommand>(app);
 }
 
 }  // namespace etalon
