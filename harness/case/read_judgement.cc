@@ -1,12 +1,16 @@
 #include "case/read_judgement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/file.h"
 
 namespace etalon {
 namespace {
+
+constexpr std::array<std::string_view, 8> kRuleKeys = {"exact", "ulp",    "absolute", "relative",
+                                                       "flush", "missed", "wrong",    "beyond"};
 
 std::string Trim(const std::string& text) {
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
@@ -73,8 +77,7 @@ Result<std::optional<Shares>> ReadShares(const TomlReader& reader, const toml::t
 }  // namespace
 
 Result<Acceptance> ReadAcceptance(const TomlReader& reader, const toml::table& table) {
-    ETALON_TRY_STEP(reader.OnlyKeys(
-        table, {"exact", "ulp", "absolute", "relative", "flush", "missed", "wrong", "beyond"}));
+    ETALON_TRY_STEP(reader.OnlyKeys(table, kRuleKeys));
     Acceptance rule;
     const std::pair<const char*, std::optional<double>*> tolerances[] = {
         {"ulp", &rule.ulp}, {"absolute", &rule.absolute}, {"relative", &rule.relative}};
@@ -123,6 +126,9 @@ Result<Acceptance> ReadAcceptance(const TomlReader& reader, const toml::table& t
 }
 
 Result<std::string> ReadSpec(const TomlReader& reader, const toml::table& table) {
+    std::vector<std::string_view> known(kRuleKeys.begin(), kRuleKeys.end());
+    known.push_back("spec");
+    ETALON_TRY_STEP(reader.OnlyKeys(table, known));
     for (const auto& [key, node] : TomlReader::InOrder(table)) {
         if (key != "spec") {
             return reader.Fail(*node, "'spec' and '" + key +

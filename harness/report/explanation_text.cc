@@ -181,6 +181,9 @@ std::string Note(const Explanation& explanation, const ExplainedStep& step, std:
 }
 
 std::string StepsTable(const Explanation& explanation, bool all) {
+    if (explanation.steps.empty()) {
+        return "no operation on floats: nothing is rounded on the way to the result\n";
+    }
     std::vector<Row> rows = {{"#", "operation", "binary32", "exact", "error", "amplified", ""}};
     std::string place;
     std::size_t next = 0;
@@ -222,8 +225,10 @@ std::string StepsTable(const Explanation& explanation, bool all) {
 
 std::string ExplanationText(const Explanation& explanation, bool all) {
     std::vector<Row> head = {{"case", explanation.case_path},
-                             {"input", InputText(explanation, false)},
-                             {"", InputText(explanation, true)}};
+                             {"input", InputText(explanation, false)}};
+    if (InputText(explanation, true) != InputText(explanation, false)) {
+        head.push_back({"", InputText(explanation, true)});
+    }
     if (!explanation.chosen.empty()) {
         head.push_back({"", explanation.chosen});
     }

@@ -296,6 +296,8 @@ TEST_F(CaseTest, RefusesWrongExpectations) {
     EXPECT_EQ(accept("absolute = 0.1, spec = \"vulkan-1.3\""),
               "cases/x.toml:4: 'spec' and 'absolute' contradict each other: what the specification "
               "allows is accepted, no more and no less");
+    EXPECT_EQ(accept("spec = \"vulkan-1.3\", abslute = 2"),
+              "cases/x.toml:4: unknown key 'abslute'; did you mean 'absolute'?");
     EXPECT_EQ(judged("accept = { spec = \"vulkan-1.3\" }"), "");
     EXPECT_EQ(judged("out = { t = \"float\" }\naccept = { t = { spec = \"vulkan-1.3\" } }"), "");
     EXPECT_EQ(judged("accept = { t = { spec = \"vulkan-1.3\" } }"),

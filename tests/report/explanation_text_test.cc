@@ -120,6 +120,15 @@ TEST(ExplanationText, OfALongPathTheEndsAndWhatIsOfInterest) {
     EXPECT_THAT(ExplanationText(explanation, true), HasSubstr("the path is longer"));
 }
 
+TEST(ExplanationText, WithoutOperationsOnFloatsSaysSo) {
+    Explanation explanation = Explained(0);
+    explanation.inputs = {{"k", {"3", "3"}}};
+    const std::string text = ExplanationText(explanation, false);
+    EXPECT_THAT(text, HasSubstr("no operation on floats"));
+    EXPECT_THAT(text, Not(HasSubstr("binary32  exact")));
+    EXPECT_THAT(text, HasSubstr("input     k=3\noutput"));
+}
+
 TEST(ExplanationText, ADeviceWithoutAResultSaysWhy) {
     Explanation explanation = Explained(1);
     ExplainedDevice device;
