@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "evaluate/interval_context.h"
+#include "evaluate/interval_glsl.h"
 #include "evaluate/interval_image.h"
 #include "evaluate/interval_integer.h"
-#include "evaluate/interval_operations.h"
 #include "evaluate/interval_words.h"
 #include "evaluate/run.h"
 

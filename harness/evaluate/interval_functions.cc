@@ -1,84 +1,15 @@
 // Functions of settled intervals: the range of the real function, widened as the profile says. All
 // but compositions of interval arithmetic rounds to nearest here, as the C library expects.
 
-#include <cfenv>
 #include <cmath>
 #include <numbers>
 
-#include "evaluate/interval.h"
+#include "evaluate/interval_range.h"
 
 namespace etalon::evaluate::interval {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-class Nearest {
-  public:
-    Nearest() { std::fesetround(FE_TONEAREST); }
-    ~Nearest() { std::fesetround(FE_UPWARD); }
-    Nearest(const Nearest&) = delete;
-    Nearest& operator=(const Nearest&) = delete;
-};
-
-struct Real {
-    double low = 0;
-    double high = 0;
-};
-
-// Widened by more than the error of the C library's functions.
-Real Slack(double low, double high) {
-    return {low - std::abs(low) * 0x1p-50, high + std::abs(high) * 0x1p-50};
-}
-
-// The floats in the range, whatever the rounding mode; none below -kLargest but the infinity.
-Interval FloatsIn(const Real& range) {
-    if (!(range.low <= range.high)) {
-        return Anything();
-    }
-    auto low = static_cast<float>(range.low);
-    if (static_cast<double>(low) < range.low) {
-        low = std::nextafter(low, std::numeric_limits<float>::infinity());
-    }
-    auto high = static_cast<float>(range.high);
-    if (static_cast<double>(high) > range.high) {
-        high = std::nextafter(high, -std::numeric_limits<float>::infinity());
-    }
-    // Beyond the largest float come both that and the infinity.
-    const double last = Interval::kInfinity;
-    return Settled(range.low < -kLargest ? last : -std::min(kLargest, static_cast<double>(low)),
-                   range.high > kLargest ? last : std::max(-kLargest, static_cast<double>(high)));
-}
-
-// The most that `ulps` ulp are for values of which the one nearer to zero is `end`, up to `other`:
-// beyond the next power of two no value reaches back to `end`.
-double UlpsAt(double end, double other, double ulps) {
-    return ulps * RoundingOf(std::min(std::abs(other), 2 * std::abs(end)));
-}
-
-Real WidenedByUlps(const Real& x, double ulps) {
-    if (x.low > 0) {
-        return {std::max(0.0, x.low - UlpsAt(x.low, x.high, ulps)),
-                x.high + ulps * RoundingOf(x.high)};
-    }
-    if (x.high < 0) {
-        return {x.low - ulps * RoundingOf(-x.low),
-                std::min(0.0, x.high + UlpsAt(x.high, x.low, ulps))};
-    }
-    return {x.low - ulps * RoundingOf(-x.low), x.high + ulps * RoundingOf(x.high)};
-}
-
-Real Widened(const Real& x, double absolute) {
-    return {x.low - absolute, x.high + absolute};
-}
-
-// As far from the true range to either side as the formula's goes beyond it.
-Interval Inherited(const Real& truth, const Interval& formula) {
-    if (formula.IsAnything()) {
-        return Anything();
-    }
-    const double beyond = std::max({0.0, truth.low - formula.low(), formula.high - truth.high});
-    return FloatsIn(Widened(truth, beyond));
-}
 
 bool IsSilent() {
     return !Held::profile().bounds_trigonometry;
@@ -143,16 +74,6 @@ Real CosineRange(const Interval& x) {
         range.high = 1;
     }
     return range;
-}
-
-Interval Number(double x) {
-    return Settled(-x, x);
-}
-Interval One() {
-    return Number(1);
-}
-Interval Sub(const Interval& a, const Interval& b) {
-    return Add(a, Neg(b));
 }
 
 // 1 - x x with the product rounded by itself, or not at all, but never beyond [0, 1] for |x| <= 1.
@@ -370,133 +291,6 @@ Interval Atanh(const Interval& x) {
     const Interval formula = Settle(Mul(Log(quotient), Number(0.5)));
     const Nearest nearest;
     return Inherited(Monotonic(x, std::atanh), formula);
-}
-
-namespace {
-
-Interval WholeNumbers(double low, double high) {
-    Interval x = Settled(-low, high);
-    x.quantum = std::max(x.quantum, 1.0);
-    x.finest = 1;
-    return x;
-}
-
-}  // namespace
-
-Interval Floor(const Interval& x) {
-    return WholeNumbers(std::floor(x.low()), std::floor(x.high));
-}
-Interval Ceil(const Interval& x) {
-    return WholeNumbers(std::ceil(x.low()), std::ceil(x.high));
-}
-Interval Trunc(const Interval& x) {
-    return WholeNumbers(std::trunc(x.low()), std::trunc(x.high));
-}
-Interval Round(const Interval& x) {
-    const Nearest nearest;
-    return WholeNumbers(std::ceil(x.low() - 0.5), std::floor(x.high + 0.5));
-}
-Interval RoundEven(const Interval& x) {
-    const Nearest nearest;
-    return WholeNumbers(std::nearbyint(x.low()), std::nearbyint(x.high));
-}
-Interval Fract(const Interval& x) {
-    const double whole = std::floor(x.low());
-    if (!(x.magnitude < Interval::kInfinity)) {
-        return Anything();
-    }
-    if (whole != std::floor(x.high)) {
-        return Settled(0, 1);
-    }
-    return Settled(FloatAbove(x.minus_low + whole), FloatAbove(x.high - whole));
-}
-
-namespace {
-
-// x - y round(x / y): symmetric about the true remainder where there is a single one.
-Interval Remainder(const Interval& x, const Interval& y, Interval (*round)(const Interval&),
-                   bool is_of_divisor) {
-    const Interval whole = round(Settle(Div(x, y)));
-    const Interval formula = Settle(Sub(x, Mul(y, whole)));
-    if (!x.IsPoint() || !y.IsPoint() || formula.IsAnything()) {
-        return formula;
-    }
-    const Nearest nearest;
-    double truth = std::fmod(x.high, y.high);
-    if (is_of_divisor && truth != 0 && (truth < 0) != (y.high < 0)) {
-        truth += y.high;
-    }
-    return Inherited(Slack(truth, truth), formula);
-}
-
-}  // namespace
-
-Interval Mod(const Interval& x, const Interval& y) {
-    return Remainder(x, y, Floor, true);
-}
-Interval Rem(const Interval& x, const Interval& y) {
-    return Remainder(x, y, Trunc, false);
-}
-
-Interval Abs(const Interval& x) {
-    if (x.IsAnything()) {
-        return x;
-    }
-    return Settled(-std::max({x.low(), -x.high, 0.0}), x.magnitude);
-}
-Interval Sign(const Interval& x) {
-    if (x.IsAnything()) {
-        return x;
-    }
-    const auto sign = [](double end) { return end > 0 ? 1.0 : end < 0 ? -1.0 : 0.0; };
-    return Settled(-sign(x.low()), sign(x.high));
-}
-Interval Min(const Interval& a, const Interval& b) {
-    if (a.IsAnything() || b.IsAnything()) {
-        return Anything();
-    }
-    return Settled(std::max(a.minus_low, b.minus_low), std::min(a.high, b.high));
-}
-Interval Max(const Interval& a, const Interval& b) {
-    if (a.IsAnything() || b.IsAnything()) {
-        return Anything();
-    }
-    return Settled(std::min(a.minus_low, b.minus_low), std::max(a.high, b.high));
-}
-Interval Hull(const Interval& a, const Interval& b) {
-    if (a.IsAnything() || b.IsAnything()) {
-        return Anything();
-    }
-    return Settled(std::max(a.minus_low, b.minus_low), std::max(a.high, b.high));
-}
-Interval Step(const Interval& edge, const Interval& x) {
-    if (edge.IsAnything() || x.IsAnything()) {
-        return Anything();
-    }
-    return Settled(x.low() >= edge.high ? -1 : 0, x.high < edge.low() ? 0 : 1);
-}
-Interval Smoothstep(const Interval& edge0, const Interval& edge1, const Interval& x) {
-    if (!(edge0.high < edge1.low())) {
-        return Anything();
-    }
-    const Interval way = Settle(Div(Sub(x, edge0), Sub(edge1, edge0)));
-    const Interval t = Min(Max(way, Number(0)), One());
-    return Mul(Mul(t, t), Sub(Number(3), Mul(Number(2), t)));
-}
-
-Interval Ldexp(const Interval& x, std::int32_t exponent) {
-    if (exponent > 128) {
-        return Anything();
-    }
-    const int power = std::max(exponent, -400);
-    const double minus_low = std::ldexp(x.minus_low, power);
-    const double high = std::ldexp(x.high, power);
-    if (!(std::max(minus_low, high) <= kLargest)) {
-        return Anything();
-    }
-    const Interval scaled = Settled(FloatAbove(minus_low), FloatAbove(high));
-    // The text lets such a result be flushed, however great.
-    return exponent < -126 ? Hull(scaled, Number(0)) : scaled;
 }
 
 }  // namespace etalon::evaluate::interval

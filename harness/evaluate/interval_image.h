@@ -1,6 +1,7 @@
 // What a filter may find in an image over a range of places.
 #pragma once
 
+#include "evaluate/image.h"
 #include "evaluate/interval_operations.h"
 
 namespace etalon::evaluate::operation {

@@ -1,7 +1,7 @@
 // Bit casts between intervals and words, and what keeps the range of words that they make.
 #pragma once
 
-#include "evaluate/interval_operations.h"
+#include "evaluate/interval_glsl.h"
 
 namespace etalon::evaluate {
 namespace operation {
