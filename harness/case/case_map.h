@@ -33,8 +33,8 @@ struct CaseMap {
     std::uint32_t height = 64;
     std::string output;  // the output, its component, or the law that is mapped; empty: all
                          // outputs, or where there is none all laws
-    std::string spent;  // GLSL over the inputs: true where the iteration budget was used up; or
-                        // empty
+    std::string spent;   // GLSL over the inputs: true where the iteration budget was used up; or
+                         // empty
     std::optional<MapPrediction> fails;  // no cell is accepted
     std::optional<MapPrediction> safe;   // every cell is accepted
     std::string because;                 // the theory, where something is predicted

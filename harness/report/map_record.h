@@ -44,7 +44,7 @@ struct MappedDevice {
     std::string reason;         // why there are no results; empty where there are
     std::vector<double> error;  // in the map's measure; infinite for NaN, NaN where undecided.
                                 // Empty on a device that cannot run the program
-    std::vector<MapMark> mark;         // as many
+    std::vector<MapMark> mark;  // as many
     std::optional<Observation> worst;  // by share of the tolerance
 };
 
