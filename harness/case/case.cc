@@ -7,6 +7,7 @@
 #include "case/read_domain.h"
 #include "case/read_images.h"
 #include "case/read_judgement.h"
+#include "case/read_map.h"
 #include "case/toml_reader.h"
 
 // The keys of a case:
@@ -22,6 +23,7 @@
 //   [domain]          inputs by name, combine, where; or several [[domain]]
 //   [[law]]           name, holds, within
 //   [[expected_failure]]  device, recipe, law, verdict, status, cause, link, figure
+//   [map]             over, ranges, at, size, output, spent, fails, safe, because
 
 namespace etalon {
 namespace {
@@ -55,6 +57,11 @@ class CaseReader {
         for (const toml::table* failure : failures) {
             ETALON_TRY(expected, ReadExpectedFailure(reader_, *failure, case_.laws));
             case_.expected_failures.push_back(expected);
+        }
+        if (const toml::node* node = table_.get("map")) {
+            ETALON_TRY(table, reader_.Table(*node, "'map'"));
+            ETALON_TRY(map, ReadMap(reader_, *table, case_.domains));
+            case_.map = std::move(map);
         }
         return std::move(case_);
     }

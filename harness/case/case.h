@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "case/case_map.h"
 #include "case/domain.h"
 #include "case/expression.h"
 #include "case/figure.h"
@@ -79,6 +80,7 @@ struct Case {
     std::vector<Law> laws;
     std::vector<ExpectedFailure> expected_failures;
     std::vector<Domain> domains;
+    std::optional<CaseMap> map;
     std::uint64_t seed = 1;
 };
 

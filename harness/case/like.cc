@@ -10,11 +10,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kKeys[] = {
-    "description", "source", "call",    "oracle", "accept",  "family",          "seed",
-    "combine",     "where",  "recipes", "with",   "include", "define",          "out",
-    "images",      "domain", "law",     "like",   "covers",  "expected_failure"};
+    "description", "source", "call",    "oracle", "accept",  "family",           "seed",
+    "combine",     "where",  "recipes", "with",   "include", "define",           "out",
+    "images",      "domain", "law",     "like",   "covers",  "expected_failure", "map"};
 // Keys that say something of one case and of none that is like it.
-constexpr std::string_view kOwnKeys[] = {"covers", "expected_failure", "like"};
+constexpr std::string_view kOwnKeys[] = {"covers", "expected_failure", "like", "map"};
 
 bool IsOwn(std::string_view key) {
     return std::find(std::begin(kOwnKeys), std::end(kOwnKeys), key) != std::end(kOwnKeys);

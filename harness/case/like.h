@@ -18,8 +18,9 @@ struct Keys {
 
 // Reads the file, and for `like = "FILE.toml"` (relative to this file) or `like = "ADDRESS"` (below
 // root/cases) the keys of that file too, and so on. A key stands in place of the same key further
-// on; `covers` and `expected_failure` are their own case's alone. Every node knows the file that it
-// comes from. Fails where a file has a key that no case has, and where files are like each other.
+// on; `covers`, `expected_failure` and `map` are their own case's alone. Every node knows the file
+// that it comes from. Fails where a file has a key that no case has, and where files are like each
+// other.
 Result<Keys> ReadKeys(const std::filesystem::path& root, const std::filesystem::path& file);
 
 }  // namespace etalon

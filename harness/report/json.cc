@@ -53,6 +53,8 @@ ordered_json AllowedJson(const AllowedValue& allowed) {
     return json;
 }
 
+}  // namespace
+
 ordered_json ObservationJson(const Observation& observation) {
     ordered_json json = {{"output", observation.output},
                          {"rule", observation.rule},
@@ -71,6 +73,8 @@ ordered_json ObservationJson(const Observation& observation) {
     }
     return json;
 }
+
+namespace {
 
 // What the record was held to, and what its errors are made of.
 ordered_json SpecificationJson(const Record& record) {

@@ -12,6 +12,8 @@ namespace etalon {
 nlohmann::ordered_json NumberJson(double value);
 nlohmann::ordered_json ValueJson(const Value& value);
 
+nlohmann::ordered_json ObservationJson(const Observation& observation);
+
 // All of a record.
 nlohmann::ordered_json RecordJson(const Record& record);
 

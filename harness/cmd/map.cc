@@ -1,0 +1,95 @@
+#include "map/map.h"
+
+#include <iostream>
+
+#include "base/file.h"
+#include "cmd/command.h"
+#include "cmd/options.h"
+
+namespace etalon {
+namespace {
+
+class MapCommand : public Command {
+  public:
+    explicit MapCommand(CLI::App& app);
+
+    int Run() override;
+
+  private:
+    Result<MapRecord> Find();
+
+    MapChoice choice_;
+    std::string root_;
+    bool json_ = false;
+    DeviceOptions devices_;
+};
+
+MapCommand::MapCommand(CLI::App& app)
+    : Command(app.add_subcommand(
+          "map",
+          "A picture of a case over two of its inputs: where it holds, by how much it is off, "
+          "where "
+          "it yields NaN or misses a hit; held against what theory predicts, where the case's "
+          "[map] "
+          "says so")) {
+    word_->add_option("CASE", choice_.pattern, "a case's path, or a pattern that names one")
+        ->required();
+    word_
+        ->add_option("--over", choice_.scope.over,
+                     "the two float inputs; default: those of the case's [map]")
+        ->type_name("X,Y");
+    word_
+        ->add_option("--range", choice_.scope.ranges,
+                     "the range of one of them: 'X=1e-6:1:log'; repeatable; default: the map's, "
+                     "else the input's own")
+        ->allow_extra_args(false)
+        ->type_name("NAME=LOW:HIGH[:log]");
+    word_->add_option("--at", choice_.scope.at,
+                      "other inputs: 'n1=1,n2=0x1.8p+0'; default: the map's, else their first "
+                      "value");
+    word_->add_option("--size", choice_.scope.size, "cells across and upwards; default: 96x64")
+        ->type_name("WxH");
+    word_
+        ->add_option("--output", choice_.scope.output,
+                     "result.x, an out parameter, or a law's name; default: the worst of all "
+                     "outputs, or of all laws where there is no oracle")
+        ->type_name("NAME");
+    word_->add_option("--recipe", choice_.recipe, "recipe; default: each device's own");
+    word_->add_flag("--json", json_, "as JSON");
+    AddRoot(*word_, root_);
+    devices_.AddTo(*word_);
+}
+
+Result<MapRecord> MapCommand::Find() {
+    ETALON_TRY(root, RootOf(root_));
+    choice_.root = root;
+    if (!root_.empty()) {
+        choice_.options += " --root " + ShellWord(root_);
+    }
+    for (const std::string& driver : devices_.drivers) {
+        choice_.options += " --driver " + ShellWord(driver);
+    }
+    ETALON_TRY(devices, devices_.Choice());
+    choice_.devices = devices;
+    return MakeMap(choice_);
+}
+
+int MapCommand::Run() {
+    const Result<MapRecord> map = Find();
+    if (!map) {
+        return Complain(map.error().message);
+    }
+    std::cout << (json_ ? MapJson(*map) : MapText(*map));
+    if (map->prediction && map->prediction->contradiction) {
+        std::cerr << ContradictionText(*map);
+    }
+    return map->Good() ? 0 : kVerdict;
+}
+
+}  // namespace
+
+std::unique_ptr<Command> AddMap(CLI::App& app) {
+    return std::make_unique<MapCommand>(app);
+}
+
+}  // namespace etalon
