@@ -11,6 +11,7 @@
 
 #include "base/result.h"
 #include "device/device_info.h"
+#include "device/run_time.h"
 #include "probe/program.h"
 
 namespace etalon {
@@ -40,10 +41,12 @@ class Device {
     virtual DeviceResult<std::uint32_t> Load(const Program& program) = 0;
 
     // Evaluates `rows` rows (1..max_rows). `inputs` holds input_words * rows words, `outputs` takes
-    // output_words * rows words, both by columns. Returns when the outputs are complete.
+    // output_words * rows words, both by columns. Returns when the outputs are complete. Where
+    // `time` is not null the run is timed, by the device's own clock if it has one: how long the
+    // program itself ran, without the way of its inputs and outputs to it and back.
     virtual DeviceResult<Nothing> Run(std::uint32_t handle, std::uint32_t rows,
                                       std::span<const std::uint32_t> inputs,
-                                      std::span<std::uint32_t> outputs) = 0;
+                                      std::span<std::uint32_t> outputs, RunTime* time) = 0;
 };
 
 }  // namespace etalon

@@ -74,7 +74,8 @@ Result<std::uint32_t, EvaluationFailure> Runner::Ready(const std::string& key,
 }
 
 Runner::Outcome Runner::RunChunk(const std::string& key, const Program& program, const Rows& inputs,
-                                 std::uint64_t first, std::uint32_t rows, const Sink& sink) {
+                                 std::uint64_t first, std::uint32_t rows, const Sink& sink,
+                                 RunTime* time) {
     ETALON_TRY(handle, Ready(key, program));
     const std::span<std::uint32_t> words =
         client_->Inputs(rows, program.input_words, program.output_words);
@@ -83,7 +84,9 @@ Runner::Outcome Runner::RunChunk(const std::string& key, const Program& program,
         std::copy(from.begin(), from.end(),
                   words.begin() + static_cast<std::ptrdiff_t>(column * rows));
     }
-    WorkerResult<std::span<const std::uint32_t>> outputs = client_->Run(handle);
+    RunTime taken;
+    WorkerResult<std::span<const std::uint32_t>> outputs =
+        client_->Run(handle, time != nullptr ? &taken : nullptr);
     if (!outputs) {
         EvaluationFailure failure = FromWorker(outputs.error(), program);
         if (failure.kind == Kind::kStopped && first > 0) {
@@ -91,24 +94,27 @@ Runner::Outcome Runner::RunChunk(const std::string& key, const Program& program,
         }
         return failure;
     }
+    if (time != nullptr) {
+        *time = {time->seconds + taken.seconds, taken.clock};
+    }
     sink(first, rows, *outputs);
     return Ok();
 }
 
 Runner::Outcome Runner::RunChunkTwice(const std::string& key, const Program& program,
                                       const Rows& inputs, std::uint64_t first, std::uint32_t rows,
-                                      const Sink& sink) {
+                                      const Sink& sink, RunTime* time) {
     // A worker may have ended since the last chunk, by no fault of this one.
     Outcome once = client_->alive() ? Outcome(Ok()) : Renew(0);
     if (once) {
-        once = RunChunk(key, program, inputs, first, rows, sink);
+        once = RunChunk(key, program, inputs, first, rows, sink, time);
     }
     if (once || !IsWorkersEnd(once.error())) {
         return once;
     }
     Outcome again = Renew(1);
     if (again) {
-        again = RunChunk(key, program, inputs, first, rows, sink);
+        again = RunChunk(key, program, inputs, first, rows, sink, time);
     }
     if (again) {
         flake_ = once.error().reason;
@@ -122,10 +128,13 @@ Runner::Outcome Runner::RunChunkTwice(const std::string& key, const Program& pro
 }
 
 Runner::Outcome Runner::Evaluate(const Call& call, const Signature& signature, const Recipe& recipe,
-                                 const Rows& inputs, const Sink& sink) {
+                                 const Rows& inputs, const Sink& sink, RunTime* time) {
     flake_.clear();
+    if (time != nullptr) {
+        *time = {};
+    }
     if (recipe.baked) {
-        return EvaluateBaked(call, signature, recipe, inputs, sink);
+        return EvaluateBaked(call, signature, recipe, inputs, sink, time);
     }
     const std::string key = Programs::KeyOf(call, recipe);
     const auto& compiled = programs_->Get(call, signature, recipe, TargetOf(info_), {});
@@ -139,7 +148,7 @@ Runner::Outcome Runner::Evaluate(const Call& call, const Signature& signature, c
         kChunkWords / words, 1, std::min<std::uint64_t>(kChunkRows, info_.max_rows));
     for (std::uint64_t first = 0; first < inputs.rows; first += chunk) {
         const auto rows = static_cast<std::uint32_t>(std::min(chunk, inputs.rows - first));
-        ETALON_TRY_STEP(RunChunkTwice(key, program, inputs, first, rows, sink));
+        ETALON_TRY_STEP(RunChunkTwice(key, program, inputs, first, rows, sink, time));
     }
     return Ok();
 }
@@ -152,11 +161,12 @@ Result<std::vector<std::uint32_t>, EvaluationFailure> Runner::RunOnce(
     if (!client_->alive()) {
         ETALON_TRY_STEP(Renew(0));
     }
-    const Outcome done =
-        RunChunk(key, program, Rows{inputs, 1, inputs.size()}, 0, 1,
-                 [&](std::uint64_t, std::uint32_t, std::span<const std::uint32_t> words) {
-                     outputs.assign(words.begin(), words.end());
-                 });
+    const Outcome done = RunChunk(
+        key, program, Rows{inputs, 1, inputs.size()}, 0, 1,
+        [&](std::uint64_t, std::uint32_t, std::span<const std::uint32_t> words) {
+            outputs.assign(words.begin(), words.end());
+        },
+        nullptr);
     if (!done) {
         if (IsWorkersEnd(done.error())) {
             (void)Renew(0);
@@ -167,7 +177,8 @@ Result<std::vector<std::uint32_t>, EvaluationFailure> Runner::RunOnce(
 }
 
 Runner::Outcome Runner::EvaluateBaked(const Call& call, const Signature& signature,
-                                      const Recipe& recipe, const Rows& inputs, const Sink& sink) {
+                                      const Recipe& recipe, const Rows& inputs, const Sink& sink,
+                                      RunTime* time) {
     for (std::uint64_t first = 0; first < inputs.rows; first += kBakedRowsPerProgram) {
         const auto rows = static_cast<std::uint32_t>(
             std::min<std::uint64_t>(kBakedRowsPerProgram, inputs.rows - first));
@@ -183,7 +194,7 @@ Runner::Outcome Runner::EvaluateBaked(const Call& call, const Signature& signatu
         }
         const std::string key = Programs::KeyOf(call, recipe) + "rows " + std::to_string(first);
         loaded_.erase(key);
-        ETALON_TRY_STEP(RunChunkTwice(key, *program, inputs, first, rows, sink));
+        ETALON_TRY_STEP(RunChunkTwice(key, *program, inputs, first, rows, sink, time));
         // Other rows may come under the same number the next time.
         loaded_.erase(key);
     }

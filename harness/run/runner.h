@@ -49,10 +49,11 @@ class Runner {
                                     std::span<const std::uint32_t> words)>;
 
     // Evaluates the call at all rows. A crash or a hang is tried once more in a fresh worker, from
-    // the failed chunk on; where that succeeds, flake() tells what had happened.
+    // the failed chunk on; where that succeeds, flake() tells what had happened. Where `time` is
+    // not null, it is set to how long the device worked on all chunks together.
     Result<Nothing, EvaluationFailure> Evaluate(const Call& call, const Signature& signature,
                                                 const Recipe& recipe, const Rows& inputs,
-                                                const Sink& sink);
+                                                const Sink& sink, RunTime* time = nullptr);
 
     // The outputs of a program that the caller has made, under a name of its own, at one row. A
     // crash or a hang is not tried again.
@@ -67,12 +68,13 @@ class Runner {
 
     // The program's handle in the present worker, compiled and loaded on first use.
     Result<std::uint32_t, EvaluationFailure> Ready(const std::string& key, const Program& program);
+    // What a chunk takes is added to `time`.
     Outcome RunChunk(const std::string& key, const Program& program, const Rows& inputs,
-                     std::uint64_t first, std::uint32_t rows, const Sink& sink);
+                     std::uint64_t first, std::uint32_t rows, const Sink& sink, RunTime* time);
     Outcome RunChunkTwice(const std::string& key, const Program& program, const Rows& inputs,
-                          std::uint64_t first, std::uint32_t rows, const Sink& sink);
+                          std::uint64_t first, std::uint32_t rows, const Sink& sink, RunTime* time);
     Outcome EvaluateBaked(const Call& call, const Signature& signature, const Recipe& recipe,
-                          const Rows& inputs, const Sink& sink);
+                          const Rows& inputs, const Sink& sink, RunTime* time);
     Outcome Renew(std::uint32_t attempt);
 
     std::unique_ptr<Client> client_;

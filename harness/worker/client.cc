@@ -253,11 +253,14 @@ std::span<std::uint32_t> Client::Inputs(std::uint32_t rows, std::uint32_t input_
     return state_->memory->Inputs(state_->batch);
 }
 
-WorkerResult<std::span<const std::uint32_t>> Client::Run(std::uint32_t handle) {
+WorkerResult<std::span<const std::uint32_t>> Client::Run(std::uint32_t handle, RunTime* time) {
     ETALON_CHECK(state_->batch.rows > 0);
-    auto answer = state_->Ask<Nothing>(Encode(RunRequest{handle, state_->batch}));
+    auto answer = state_->Ask<RunTime>(Encode(RunRequest{handle, state_->batch, time != nullptr}));
     if (!answer) {
         return answer.error();
+    }
+    if (time != nullptr) {
+        *time = *answer;
     }
     return std::span<const std::uint32_t>(state_->memory->Outputs(state_->batch));
 }

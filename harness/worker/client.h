@@ -70,7 +70,8 @@ class Client {
 
     // Runs on the inputs filled last, at most DeviceInfo::max_rows rows and as many words as the
     // program was loaded with. The outputs are valid until the next call of Inputs or Restart.
-    WorkerResult<std::span<const std::uint32_t>> Run(std::uint32_t handle);
+    // Where `time` is not null, the run is timed.
+    WorkerResult<std::span<const std::uint32_t>> Run(std::uint32_t handle, RunTime* time = nullptr);
 
     // Ends the worker, if it lives, and starts a fresh one with Candidate::attempt = attempt. Then
     // Open again.

@@ -1,6 +1,7 @@
 #include "worker/message.h"
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstring>
 #include <type_traits>
@@ -20,11 +21,14 @@ concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 void Fields(auto& archive, Is<Nothing> auto&) {
     archive();
 }
+void Fields(auto& archive, Is<RunTime> auto& time) {
+    archive(time.seconds, time.clock);
+}
 void Fields(auto& archive, Is<Batch> auto& batch) {
     archive(batch.rows, batch.input_words, batch.output_words);
 }
 void Fields(auto& archive, Is<RunRequest> auto& request) {
-    archive(request.handle, request.batch);
+    archive(request.handle, request.batch, request.is_timed);
 }
 void Fields(auto& archive, Is<Candidate> auto& candidate) {
     archive(candidate.backend, candidate.hint, candidate.index, candidate.attempt, candidate.driver,
@@ -197,6 +201,10 @@ std::string EncodeRequest(RequestKind kind, const auto& request) {
 bool IsSound(const auto&) {
     return true;
 }
+bool IsSound(const RunTime& time) {
+    return std::isfinite(time.seconds) && time.seconds >= 0 &&
+           time.clock <= RunTime::Clock::kDevice;
+}
 bool IsSound(const Program& program) {
     return std::all_of(program.images.begin(), program.images.end(), [](const BoundImage& bound) {
         return IsWhole(*bound.image) && bound.sampling.filter <= Filter::kNearest &&
@@ -270,7 +278,7 @@ std::optional<DeviceResult<T>> DecodeAnswer(std::string_view message) {
     if (good == 1) {
         T value = {};
         reader(value);
-        if (reader.Complete()) {
+        if (reader.Complete() && IsSound(value)) {
             return value;
         }
         return std::nullopt;
@@ -285,10 +293,10 @@ std::optional<DeviceResult<T>> DecodeAnswer(std::string_view message) {
 
 template std::string EncodeAnswer(const DeviceResult<DeviceInfo>&);
 template std::string EncodeAnswer(const DeviceResult<std::uint32_t>&);
-template std::string EncodeAnswer(const DeviceResult<Nothing>&);
+template std::string EncodeAnswer(const DeviceResult<RunTime>&);
 template std::optional<DeviceResult<DeviceInfo>> DecodeAnswer(std::string_view);
 template std::optional<DeviceResult<std::uint32_t>> DecodeAnswer(std::string_view);
-template std::optional<DeviceResult<Nothing>> DecodeAnswer(std::string_view);
+template std::optional<DeviceResult<RunTime>> DecodeAnswer(std::string_view);
 
 std::string Printable(std::string_view text) {
     std::string clean(text);

@@ -29,10 +29,12 @@ struct OpenRequest {
     std::uint64_t memory_bytes = 0;  // beyond which the worker's allocations fail
 };
 
-// Answered by a DeviceResult<Nothing> when the outputs lie in the shared memory.
+// Answered by a DeviceResult<RunTime> when the outputs lie in the shared memory; the time is that
+// of the run where it `is_timed`, else 0.
 struct RunRequest {
     std::uint32_t handle = 0;
     Batch batch;
+    bool is_timed = false;
 };
 
 // A Program is loaded; answered by a DeviceResult<std::uint32_t>.

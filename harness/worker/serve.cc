@@ -123,8 +123,11 @@ class Server {
         ETALON_CHECK(widths_.at(request.handle) ==
                      std::pair(batch.input_words, batch.output_words));
         memory_.Reserve(batch);
-        return EncodeAnswer(device_->Run(request.handle, batch.rows, memory_.Inputs(batch),
-                                         memory_.Outputs(batch)));
+        RunTime time;
+        const DeviceResult<Nothing> done =
+            device_->Run(request.handle, batch.rows, memory_.Inputs(batch), memory_.Outputs(batch),
+                         request.is_timed ? &time : nullptr);
+        return EncodeAnswer<RunTime>(done ? DeviceResult<RunTime>(time) : done.error());
     }
 
   private:

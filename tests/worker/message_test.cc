@@ -104,7 +104,7 @@ TEST(Message, CarriesAnswers) {
     EXPECT_EQ((*answer)->siblings, 3u);
     EXPECT_TRUE((*answer)->slow);
 
-    const auto refusal = DecodeAnswer<Nothing>(Body(EncodeAnswer<Nothing>(
+    const auto refusal = DecodeAnswer<RunTime>(Body(EncodeAnswer<RunTime>(
         DeviceFailure{DeviceFailure::Kind::kRejected, "0:1: no\n\x1b[31m\xff"})));
     ASSERT_TRUE(refusal && !refusal->ok());
     EXPECT_EQ(refusal->error().kind, DeviceFailure::Kind::kRejected);
@@ -112,7 +112,7 @@ TEST(Message, CarriesAnswers) {
 }
 
 TEST(Message, CutsALongReason) {
-    const auto refusal = DecodeAnswer<Nothing>(Body(EncodeAnswer<Nothing>(
+    const auto refusal = DecodeAnswer<RunTime>(Body(EncodeAnswer<RunTime>(
         DeviceFailure{DeviceFailure::Kind::kRejected, std::string(1u << 24, 'x')})));
     ASSERT_TRUE(refusal && !refusal->ok());
     EXPECT_EQ(refusal->error().reason.size(), kLongestReason);
@@ -147,13 +147,13 @@ TEST(Message, SurvivesAnyBytes) {
     std::string slow = good;
     slow.back() = 2;
     EXPECT_FALSE(DecodeAnswer<DeviceInfo>(slow)) << "no bool";
-    std::string kind(Body(EncodeAnswer<Nothing>(DeviceFailure{})));
+    std::string kind(Body(EncodeAnswer<RunTime>(DeviceFailure{})));
     kind[1] = 4;
-    EXPECT_FALSE(DecodeAnswer<Nothing>(kind));
+    EXPECT_FALSE(DecodeAnswer<RunTime>(kind));
     kind[1] = 3;
-    EXPECT_TRUE(DecodeAnswer<Nothing>(kind));
+    EXPECT_TRUE(DecodeAnswer<RunTime>(kind));
     kind[0] = 2;
-    EXPECT_FALSE(DecodeAnswer<Nothing>(kind));
+    EXPECT_FALSE(DecodeAnswer<RunTime>(kind));
 }
 
 }  // namespace

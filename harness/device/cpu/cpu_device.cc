@@ -54,10 +54,14 @@ class CpuDevice : public Device {
 
     DeviceResult<Nothing> Run(std::uint32_t handle, std::uint32_t rows,
                               std::span<const std::uint32_t> inputs,
-                              std::span<std::uint32_t> outputs) override {
+                              std::span<std::uint32_t> outputs, RunTime* time) override {
         ETALON_CHECK(handle < loaded_.size());
+        const Stopwatch stopwatch;
         if (auto done = loaded_[handle]->Run({rows, inputs, outputs}); !done) {
             return DeviceFailure{DeviceFailure::Kind::kStopped, done.error().message};
+        }
+        if (time != nullptr) {
+            *time = {stopwatch.Seconds(), RunTime::Clock::kHost};
         }
         return Ok();
     }

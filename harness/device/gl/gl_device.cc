@@ -48,7 +48,7 @@ class GlDevice final : public Device {
 
     DeviceResult<Nothing> Run(std::uint32_t handle, std::uint32_t rows,
                               std::span<const std::uint32_t> inputs,
-                              std::span<std::uint32_t> outputs) override {
+                              std::span<std::uint32_t> outputs, RunTime* time) override {
         ETALON_CHECK(handle < programs_.size());
         const Loaded& loaded = programs_[handle];
         ETALON_CHECK(rows > 0 && rows <= info_.max_rows);
@@ -60,10 +60,11 @@ class GlDevice final : public Device {
             return Unsupported("the device evaluates at most " + std::to_string(most) +
                                " rows of this program at once");
         }
+        GlTimer timer(context_->gl(), time);
         Batch batch{inputs.data(), outputs.data(), rows, 0, 0};
         for (; batch.begin < rows; batch.begin += batch.rows) {
             batch.rows = std::min(most, rows - batch.begin);
-            ETALON_TRY_STEP(loaded.program->Evaluate(batch));
+            ETALON_TRY_STEP(loaded.program->Evaluate(batch, timer));
         }
         return Ok();
     }

@@ -49,7 +49,7 @@ class FragmentProgram final : public GlProgram {
 
     std::uint32_t max_rows() const override { return max_rows_; }
 
-    DeviceResult<Nothing> Evaluate(const Batch& batch) override {
+    DeviceResult<Nothing> Evaluate(const Batch& batch, GlTimer& timer) override {
         const std::uint32_t lines = DivideUp(batch.rows, kFragmentWidth);
         const std::uint32_t words_at_once = std::min(output_words_, kTargetWords);
         ETALON_TRY_STEP(targets_.Reserve(input_words_ * lines,
@@ -63,7 +63,9 @@ class FragmentProgram final : public GlProgram {
                      static_cast<GLsizei>(lines));
         for (std::uint32_t first = 0; first < output_words_; first += kTargetWords) {
             gl_.Uniform1i(first_, static_cast<GLint>(first));
+            timer.Start();
             gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+            timer.Stop();
             ETALON_TRY_STEP(CheckGl(gl_, "running the program"));
             const std::uint32_t end = std::min(first + kTargetWords, output_words_);
             for (std::uint32_t word = first; word < end; word += kWordsPerTarget) {

@@ -11,6 +11,7 @@ namespace etalon {
 #define ETALON_GL_CORE_FUNCTIONS(X)                              \
     X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                     \
     X(PFNGLATTACHSHADERPROC, AttachShader)                       \
+    X(PFNGLBEGINQUERYPROC, BeginQuery)                           \
     X(PFNGLBINDBUFFERPROC, BindBuffer)                           \
     X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                   \
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                 \
@@ -24,12 +25,16 @@ namespace etalon {
     X(PFNGLCREATESHADERPROC, CreateShader)                       \
     X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                     \
     X(PFNGLDELETESHADERPROC, DeleteShader)                       \
+    X(PFNGLDELETEQUERIESPROC, DeleteQueries)                     \
     X(PFNGLDRAWARRAYSPROC, DrawArrays)                           \
     X(PFNGLDRAWBUFFERSPROC, DrawBuffers)                         \
     X(PFNGLENABLEPROC, Enable)                                   \
+    X(PFNGLENDQUERYPROC, EndQuery)                               \
+    X(PFNGLFINISHPROC, Finish)                                   \
     X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)       \
     X(PFNGLGENBUFFERSPROC, GenBuffers)                           \
     X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                 \
+    X(PFNGLGENQUERIESPROC, GenQueries)                           \
     X(PFNGLGENTEXTURESPROC, GenTextures)                         \
     X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                 \
     X(PFNGLGETBUFFERSUBDATAPROC, GetBufferSubData)               \
@@ -37,6 +42,8 @@ namespace etalon {
     X(PFNGLGETINTEGERVPROC, GetIntegerv)                         \
     X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)             \
     X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                       \
+    X(PFNGLGETQUERYIVPROC, GetQueryiv)                           \
+    X(PFNGLGETQUERYOBJECTUI64VPROC, GetQueryObjectui64v)         \
     X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)               \
     X(PFNGLGETSHADERIVPROC, GetShaderiv)                         \
     X(PFNGLGETSTRINGPROC, GetString)                             \

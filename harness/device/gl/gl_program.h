@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "device/device.h"
+#include "device/gl/gl_timer.h"
 
 namespace etalon {
 
@@ -30,7 +31,8 @@ class GlProgram {
     // The most rows that one batch may have; 0 if the device's limits do not even take one.
     virtual std::uint32_t max_rows() const = 0;
 
-    virtual DeviceResult<Nothing> Evaluate(const Batch& batch) = 0;
+    // What the program itself takes is told to `timer`.
+    virtual DeviceResult<Nothing> Evaluate(const Batch& batch, GlTimer& timer) = 0;
 };
 
 }  // namespace etalon

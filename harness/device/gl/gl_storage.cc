@@ -64,17 +64,19 @@ class StorageProgram final : public GlProgram {
 
     std::uint32_t max_rows() const override { return max_rows_; }
 
-    DeviceResult<Nothing> Evaluate(const Batch& batch) override {
+    DeviceResult<Nothing> Evaluate(const Batch& batch, GlTimer& timer) override {
         ETALON_TRY_STEP(Upload(batch));
         gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, storage_.inputs_);
         gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, storage_.outputs_);
         BindTextures(gl_, textures_);
+        timer.Start();
         if (stage_ == Stage::kFragment) {
             Draw(batch.rows);
         } else {
             gl_.UseProgram(object_);
             gl_.DispatchCompute(DivideUp(batch.rows, kLocalSize), 1, 1);
         }
+        timer.Stop();
         ETALON_TRY_STEP(CheckGl(gl_, "running the program"));
         gl_.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         return Download(batch);

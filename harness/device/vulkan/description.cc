@@ -160,6 +160,7 @@ DeviceResult<Description> Describe(const std::vector<vk::raii::PhysicalDevice>& 
     }
     Description description;
     description.queue_family = *family;
+    description.timestamp_bits = families[*family].timestampValidBits;
     description.spirv_version = SpirvVersion(api);
 
     const vk::PhysicalDeviceFeatures offered = physical.getFeatures();

@@ -9,6 +9,7 @@ namespace etalon {
 struct Description {
     DeviceInfo info;
     std::uint32_t queue_family = 0;       // has compute, and graphics if any family has both
+    std::uint32_t timestamp_bits = 0;     // of that queue; 0 where it has none
     std::uint32_t spirv_version = 0;      // the highest taken: major << 16 | minor << 8
     vk::PhysicalDeviceFeatures features;  // to enable
     std::vector<std::string> extensions;  // to enable

@@ -16,6 +16,8 @@ namespace {
 
 using Kind = DeviceFailure::Kind;
 
+constexpr std::uint32_t kTimestamps = 2;  // before and after
+
 struct CloseLibrary {
     void operator()(void* handle) const { dlclose(handle); }
 };
@@ -113,6 +115,11 @@ void CreateDevice(Gpu& gpu, const Description& description) {
     gpu.commands = std::move(vk::raii::CommandBuffers(
         gpu.device, {*gpu.command_pool, vk::CommandBufferLevel::ePrimary, 1})[0]);
     gpu.done = vk::raii::Fence(gpu.device, vk::FenceCreateInfo());
+    if (description.timestamp_bits > 0) {
+        gpu.timestamps =
+            vk::raii::QueryPool(gpu.device, {{}, vk::QueryType::eTimestamp, kTimestamps});
+        gpu.timestamp_mask = ~std::uint64_t{0} >> (64 - description.timestamp_bits);
+    }
 }
 
 void CreateFramebuffer(Gpu& gpu) {
@@ -125,10 +132,35 @@ void CreateFramebuffer(Gpu& gpu) {
 
 }  // namespace
 
-void Gpu::SubmitAndWait() {
+void Gpu::MarkBegin() {
+    if (timestamp_mask != 0) {
+        commands.resetQueryPool(*timestamps, 0, kTimestamps);
+        commands.writeTimestamp(vk::PipelineStageFlagBits::eTopOfPipe, *timestamps, 0);
+    }
+}
+
+void Gpu::MarkEnd() {
+    if (timestamp_mask != 0) {
+        commands.writeTimestamp(vk::PipelineStageFlagBits::eBottomOfPipe, *timestamps, 1);
+    }
+}
+
+void Gpu::SubmitAndWait(RunTime* time) {
+    const Stopwatch stopwatch;
     queue.submit(vk::SubmitInfo({}, {}, *commands), *done);
     while (device.waitForFences(*done, VK_TRUE, std::numeric_limits<std::uint64_t>::max()) ==
            vk::Result::eTimeout) {
+    }
+    if (time != nullptr) {
+        *time = {stopwatch.Seconds(), RunTime::Clock::kHost};
+        if (timestamp_mask != 0) {
+            const auto [result, ticks] = timestamps.getResults<std::uint64_t>(
+                0, kTimestamps, kTimestamps * sizeof(std::uint64_t), sizeof(std::uint64_t),
+                vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
+            const std::uint64_t elapsed = (ticks[1] - ticks[0]) & timestamp_mask;
+            *time = {static_cast<double>(elapsed) * double{limits.timestampPeriod} * 1e-9,
+                     RunTime::Clock::kDevice};
+        }
     }
     device.resetFences(*done);
 }

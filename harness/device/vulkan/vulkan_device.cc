@@ -40,7 +40,7 @@ class VulkanDevice final : public Device {
 
     DeviceResult<Nothing> Run(std::uint32_t handle, std::uint32_t rows,
                               std::span<const std::uint32_t> inputs,
-                              std::span<std::uint32_t> outputs) override {
+                              std::span<std::uint32_t> outputs, RunTime* time) override {
         ETALON_CHECK(handle < programs_.size());
         ETALON_CHECK(rows > 0 && rows <= info().max_rows);
         LoadedProgram& program = programs_[handle];
@@ -64,7 +64,8 @@ class VulkanDevice final : public Device {
             inputs_->Flush();
             outputs_->Flush();
             gpu_->Execute(
-                [&](vk::raii::CommandBuffer& commands) { program.Record(*gpu_, commands, rows); });
+                [&](vk::raii::CommandBuffer& commands) { program.Record(*gpu_, commands, rows); },
+                time);
             outputs_->Invalidate();
             std::copy_n(outputs_->words(), outputs.size(), outputs.begin());
             return Ok();

@@ -1,0 +1,90 @@
+// What one evaluation of a case's call costs: the time that a device takes for it, and the
+// operations that it executes, which depend on no machine.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "case/case.h"
+#include "probe/recipe.h"
+#include "run/prepared_case.h"
+#include "run/runner.h"
+
+namespace etalon {
+
+// The call of a case at its rows, with no need of an oracle, a tolerance or a law.
+Result<PreparedCase> PrepareCall(const Case& source);
+Result<PreparedCase> PrepareCall(const Case& source, Table table);
+
+// Seconds of one evaluation among as many as keep the device busy: on a device of N cores a single
+// one takes about N times as long. `low` to `high` is what the parts of the measurement say, each
+// taken alone: it tells how far to believe `seconds`, and no more. 0 where the call is too short to
+// be told from the loop around it.
+struct TimeEstimate {
+    double seconds = 0;
+    double low = 0;
+    double high = 0;
+    std::uint64_t rounds = 0;  // runs of the call, each of many evaluations
+    std::string clock;         // "device timestamps", "host clock": see device/device.h
+};
+
+struct CostOptions {
+    double seconds = 1.0;     // about so long for each subject, more where the spread stays wide
+    double most_seconds = 4;  // at most about so long
+    double spread = 0.04;     // (high - low) / seconds that is aimed at
+    std::uint64_t seed = 1;   // of the order of the runs in each round
+};
+
+// Told from time to time: the share that is done, 0 to 1.
+using CostProgress = std::function<void(double share)>;
+
+// How long the call of each subject (its first wanted expression, at all its rows) takes, all of
+// them in turns with each other and with their empty loops, in an order that changes. One for each
+// subject, in their order; an error where it has no time: the device cannot run it, or failed. The
+// times of one call of this function may be compared with each other, those of two not quite.
+Result<std::vector<Result<TimeEstimate>>> EstimateTimes(std::span<const PreparedCase> subjects,
+                                                        Runner& runner, const Recipe& recipe,
+                                                        const CostOptions& options = {},
+                                                        const CostProgress& progress = {});
+
+// Operations executed. Each component counts: a product of two vec3 is 3.
+//   arithmetic  sums, products, negations, roundings (floor, fract...); a function that stands for
+//               a formula counts as that formula: fma 2, dot of vec3 5, mix 4 for each component
+//   division    quotients and remainders of floats
+//   special     sqrt, inversesqrt, exp, log, pow, sin...: 1 each; length is a dot and one of these
+//   comparison  comparisons, min, max (clamp is 2), selections, logic of bools
+//   integer     whatever works on integers but compares none
+//   fetch       reads of images, whatever the filter
+//   other       conversions, packing, questions about images
+// What only moves values (loads, stores, swizzles, bit casts) and branches count nothing.
+struct OperationCounts {
+    double arithmetic = 0;
+    double division = 0;
+    double special = 0;
+    double comparison = 0;
+    double integer = 0;
+    double fetch = 0;
+    double other = 0;
+
+    double Total() const {
+        return arithmetic + division + special + comparison + integer + fetch + other;
+    }
+    bool operator==(const OperationCounts&) const = default;
+};
+
+struct CountedCall {
+    OperationCounts mean;         // over the rows
+    OperationCounts worst;        // of the row with most in total
+    std::uint64_t worst_row = 0;  // the first of these
+};
+
+// The operations of one evaluation, by the evaluator on the host in binary32, of the program as
+// SPIRV-Tools optimises it for speed: what nothing depends on, and what is computed already, is not
+// counted twice. Fails, with the reason, where the program cannot be evaluated there (derivatives).
+Result<CountedCall> CountOperations(const PreparedCase& subject);
+
+}  // namespace etalon
