@@ -20,16 +20,18 @@ namespace etalon {
 Result<PreparedCase> PrepareCall(const Case& source);
 Result<PreparedCase> PrepareCall(const Case& source, Table table);
 
-// Seconds of one evaluation among as many as keep the device busy: on a device of N cores a single
-// one takes about N times as long. `low` to `high` is what the parts of the measurement say, each
-// taken alone: it tells how far to believe `seconds`, and no more. 0 where the call is too short to
-// be told from the loop around it.
+// Seconds of one evaluation among as many as keep the device busy. `low` to `high` is what the
+// parts of the measurement say, each taken alone: it tells how far to believe `seconds`, and no
+// more. 0 where the call is too short to be told from the loop around it.
 struct TimeEstimate {
     double seconds = 0;
     double low = 0;
     double high = 0;
     std::uint64_t rounds = 0;  // runs of the call, each of many evaluations
-    std::string clock;         // "device timestamps", "host clock": see device/device.h
+    // "processor time": what one core of the host takes; of a device that computes there, however
+    // busy the machine is else. "device timestamps" (or OpenGL's timer queries), else "host clock":
+    // what the whole device takes.
+    std::string clock;
 };
 
 struct CostOptions {

@@ -22,6 +22,7 @@ struct DeviceInfo {
     std::uint32_t glsl_version = 0;           // for GLSL text: 450, 330; 0 where text is not taken
     std::uint32_t max_rows = 1u << 20;        // in one Run
     std::uint32_t siblings = 1;  // devices that this candidate offers in all (see backends.h)
+    bool on_host = false;        // computes on the host's processors, which it shares with all else
     bool slow = false;           // interprets shaders: a quick run has fewer rows for it
 
     bool Has(std::string_view feature) const {

@@ -95,7 +95,8 @@ Runner::Outcome Runner::RunChunk(const std::string& key, const Program& program,
         return failure;
     }
     if (time != nullptr) {
-        *time = {time->seconds + taken.seconds, taken.clock};
+        *time = {time->seconds + taken.seconds, taken.clock,
+                 time->processor_seconds + taken.processor_seconds};
     }
     sink(first, rows, *outputs);
     return Ok();

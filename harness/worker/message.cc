@@ -22,7 +22,7 @@ void Fields(auto& archive, Is<Nothing> auto&) {
     archive();
 }
 void Fields(auto& archive, Is<RunTime> auto& time) {
-    archive(time.seconds, time.clock);
+    archive(time.seconds, time.clock, time.processor_seconds);
 }
 void Fields(auto& archive, Is<Batch> auto& batch) {
     archive(batch.rows, batch.input_words, batch.output_words);
@@ -53,7 +53,7 @@ void Fields(auto& archive, Is<Program> auto& program) {
 void Fields(auto& archive, Is<DeviceInfo> auto& info) {
     archive(info.name, info.description, info.driver, info.version, info.api, info.compiler,
             info.features, info.float_controls, info.glsl_version, info.max_rows, info.siblings,
-            info.slow);
+            info.on_host, info.slow);
 }
 void Fields(auto& archive, Is<DeviceFailure> auto& failure) {
     archive(failure.kind, failure.reason);
@@ -203,6 +203,7 @@ bool IsSound(const auto&) {
 }
 bool IsSound(const RunTime& time) {
     return std::isfinite(time.seconds) && time.seconds >= 0 &&
+           std::isfinite(time.processor_seconds) && time.processor_seconds >= 0 &&
            time.clock <= RunTime::Clock::kDevice;
 }
 bool IsSound(const Program& program) {

@@ -22,6 +22,7 @@ class CpuDevice : public Device {
         info_.driver = "etalon";
         info_.version = "1";
         info_.api = "none";
+        info_.on_host = true;
         info_.features = {"compute", "spirv"};
         info_.float_controls = {"DenormPreserve", "SignedZeroInfNanPreserve", "RoundingModeRTE"};
     }
@@ -61,7 +62,7 @@ class CpuDevice : public Device {
             return DeviceFailure{DeviceFailure::Kind::kStopped, done.error().message};
         }
         if (time != nullptr) {
-            *time = {stopwatch.Seconds(), RunTime::Clock::kHost};
+            *time = stopwatch.Read();
         }
         return Ok();
     }

@@ -18,6 +18,7 @@ class GlDevice final : public Device {
     GlDevice(std::unique_ptr<GlContext> context, DeviceInfo info, const GlLimits& limits)
         : context_(std::move(context)),
           info_(std::move(info)),
+          has_timer_queries_(HasTimerQueries(context_->gl(), info_)),
           textures_(context_->gl(), limits),
           targets_(context_->gl(), limits, textures_, info_.glsl_version),
           storage_(context_->gl(), limits, textures_) {
@@ -60,7 +61,7 @@ class GlDevice final : public Device {
             return Unsupported("the device evaluates at most " + std::to_string(most) +
                                " rows of this program at once");
         }
-        GlTimer timer(context_->gl(), time);
+        GlTimer timer(context_->gl(), has_timer_queries_, time);
         Batch batch{inputs.data(), outputs.data(), rows, 0, 0};
         for (; batch.begin < rows; batch.begin += batch.rows) {
             batch.rows = std::min(most, rows - batch.begin);
@@ -78,6 +79,7 @@ class GlDevice final : public Device {
 
     std::unique_ptr<GlContext> context_;  // first, so that it ends last
     DeviceInfo info_;
+    bool has_timer_queries_;
     GlTextures textures_;
     Targets targets_;
     Storage storage_;

@@ -110,6 +110,10 @@ DeviceInfo DescribeContext(const GlFunctions& gl) {
     if (version >= 40) {
         info.features.push_back("float64");
     }
+    // zink names what it runs on in parentheses.
+    for (const char* name : {"llvmpipe", "softpipe", "SwiftShader"}) {
+        info.on_host = info.on_host || info.description.find(name) != std::string::npos;
+    }
     if (info.description.starts_with("softpipe")) {
         info.max_rows = kSoftpipeRows;
         info.slow = true;

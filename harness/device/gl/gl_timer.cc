@@ -6,14 +6,12 @@ void GlTimer::Start() {
     if (time_ == nullptr) {
         return;
     }
-    GLint bits = 0;
-    gl_.GetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
-    if (bits > 0) {
+    if (has_queries_) {
         gl_.GenQueries(1, &query_);
     }
     gl_.Finish();
     stopwatch_.emplace();
-    if (query_ != 0) {
+    if (has_queries_) {
         gl_.BeginQuery(GL_TIME_ELAPSED, query_);
     }
 }
@@ -22,24 +20,30 @@ void GlTimer::Stop() {
     if (time_ == nullptr) {
         return;
     }
-    if (query_ != 0) {
+    if (has_queries_) {
         gl_.EndQuery(GL_TIME_ELAPSED);
     }
     gl_.Finish();
-    double seconds = stopwatch_->Seconds();
-    time_->clock = RunTime::Clock::kHost;
-    if (query_ != 0) {
+    RunTime taken = stopwatch_->Read();
+    if (has_queries_) {
         GLuint64 nanoseconds = 0;
         gl_.GetQueryObjectui64v(query_, GL_QUERY_RESULT, &nanoseconds);
         gl_.DeleteQueries(1, &query_);
-        query_ = 0;
-        if (getenv("ETALON_DEBUG_TIME"))
-            fprintf(stderr, "host %g device %g\n", seconds,
-                    1e-9 * static_cast<double>(nanoseconds));
-        seconds = 1e-9 * static_cast<double>(nanoseconds);
-        time_->clock = RunTime::Clock::kDevice;
+        taken.seconds = 1e-9 * static_cast<double>(nanoseconds);
+        taken.clock = RunTime::Clock::kDevice;
     }
-    time_->seconds += seconds;
+    *time_ = {time_->seconds + taken.seconds, taken.clock,
+              time_->processor_seconds + taken.processor_seconds};
+}
+
+bool HasTimerQueries(const GlFunctions& gl, const DeviceInfo& info) {
+    // llvmpipe counts some of the time that it draws, and none of what it computes.
+    if (info.description.starts_with("llvmpipe")) {
+        return false;
+    }
+    GLint bits = 0;
+    gl.GetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
+    return bits > 0;
 }
 
 }  // namespace etalon

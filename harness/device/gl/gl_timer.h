@@ -10,8 +10,10 @@ namespace etalon {
 
 class GlTimer {
   public:
-    // Adds to `time`; where that is null nothing is timed, and nothing costs anything.
-    GlTimer(const GlFunctions& gl, RunTime* time) : gl_(gl), time_(time) {}
+    // What Start and Stop enclose is added to `time`. Where that is null nothing is timed, and
+    // nothing costs anything.
+    GlTimer(const GlFunctions& gl, bool has_queries, RunTime* time)
+        : gl_(gl), has_queries_(has_queries), time_(time) {}
 
     // Waits for what was asked for before, lest it be timed too.
     void Start();
@@ -21,9 +23,13 @@ class GlTimer {
 
   private:
     const GlFunctions& gl_;
+    bool has_queries_;
     RunTime* time_;
-    GLuint query_ = 0;  // 0 where the context counts no time
+    GLuint query_ = 0;
     std::optional<Stopwatch> stopwatch_;
 };
+
+// Whether the context's timer queries can be believed.
+bool HasTimerQueries(const GlFunctions& gl, const DeviceInfo& info);
 
 }  // namespace etalon

@@ -92,6 +92,7 @@ class NullDevice : public Device {
         info_.api = "none";
         info_.features = {"compute", "fragment", "spirv", "glsl"};
         info_.glsl_version = 450;
+        info_.on_host = true;
         info_.slow = behaviour.name == kSlow;
     }
 
@@ -112,7 +113,7 @@ class NullDevice : public Device {
         const Stopwatch stopwatch;
         ETALON_TRY_STEP(Play(Moment::kRun));
         if (time != nullptr) {
-            *time = {stopwatch.Seconds(), RunTime::Clock::kHost};
+            *time = stopwatch.Read();
         }
         const std::size_t input_words = input_words_[handle];
         if (input_words == 0) {

@@ -178,6 +178,7 @@ DeviceResult<Description> Describe(const std::vector<vk::raii::PhysicalDevice>& 
     DeviceInfo& info = description.info;
     info.name = Name(devices, candidate);
     info.siblings = static_cast<std::uint32_t>(devices.size());
+    info.on_host = subject.properties().deviceType == vk::PhysicalDeviceType::eCpu;
     NameDriver(subject, info);
     ListFloatControls(subject, info);
     ListFeatures(subject, offered,

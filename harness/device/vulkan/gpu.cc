@@ -152,14 +152,14 @@ void Gpu::SubmitAndWait(RunTime* time) {
            vk::Result::eTimeout) {
     }
     if (time != nullptr) {
-        *time = {stopwatch.Seconds(), RunTime::Clock::kHost};
+        *time = stopwatch.Read();
         if (timestamp_mask != 0) {
             const auto [result, ticks] = timestamps.getResults<std::uint64_t>(
                 0, kTimestamps, kTimestamps * sizeof(std::uint64_t), sizeof(std::uint64_t),
                 vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
             const std::uint64_t elapsed = (ticks[1] - ticks[0]) & timestamp_mask;
-            *time = {static_cast<double>(elapsed) * double{limits.timestampPeriod} * 1e-9,
-                     RunTime::Clock::kDevice};
+            time->seconds = static_cast<double>(elapsed) * double{limits.timestampPeriod} * 1e-9;
+            time->clock = RunTime::Clock::kDevice;
         }
     }
     device.resetFences(*done);
