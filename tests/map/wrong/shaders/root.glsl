@@ -1,0 +1,4 @@
+float root(float x, float y)
+{
+    return sqrt(x - y);
+}
