@@ -1,6 +1,6 @@
 // The picture whose times are compared: two layers from maps, seen obliquely by a camera that looks
 // down at 45 degrees, its field 36 degrees high. Lengths are in texture coordinates; the polygon is
-// 0 .. 4, of which the picture shows 0.9 .. 3.1 by 1.1 .. 3.0, at 34 to 65 degrees from its normal.
+// 0 .. 4, of which the picture shows 0.9 .. 3.1 by 1.1 .. 3.0, at 27 to 65 degrees from its normal.
 #include "published/full_screen.glsl"
 
 uniform highp sampler2D color_map;
