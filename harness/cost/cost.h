@@ -54,11 +54,12 @@ Result<std::vector<Result<TimeEstimate>>> EstimateTimes(std::span<const Prepared
                                                         const CostProgress& progress = {});
 
 // Operations executed. Each component counts: a product of two vec3 is 3.
-//   arithmetic  sums, products, negations, roundings (floor, fract...); a function that stands for
-//               a formula counts as that formula: fma 2, dot of vec3 5, mix 4 for each component
+//   arithmetic  sums, products, negations, abs, floor, fract...; what stands for a formula counts
+//               as that: fma 2, dot(vec3) 5, mix 4 for each component
 //   division    quotients and remainders of floats
-//   special     sqrt, inversesqrt, exp, log, pow, sin...: 1 each; length is a dot and one of these
-//   comparison  comparisons, min, max (clamp is 2), selections, logic of bools
+//   special     sqrt, inversesqrt, exp, log, pow, sin...; length is a dot and one of these, and so
+//               is normalize, with a product for each component
+//   comparison  comparisons, min, max, step, selections, logic of bools; clamp and sign are 2
 //   integer     whatever works on integers but compares none
 //   fetch       reads of images, whatever the filter
 //   other       conversions, packing, questions about images

@@ -56,8 +56,10 @@ class LoopWriter {
             sums += "    float " + sum_ + " = 0.0;\n";
             total += " + " + sum_;
             turn += "        {\n            int cost_zero = cost_turn >> " +
-                    std::to_string(kHighestBit - copy) + ";\n" + Inputs() + Results() +
-                    "        }\n";
+                    std::to_string(kHighestBit - copy) + ";\n";
+            turn += Inputs();
+            turn += Results();
+            turn += "        }\n";
         }
         return std::string(kFunctions) + "float cost_loop(" + parameters +
                "int turns, out int done)\n{\n" + sums +
@@ -98,9 +100,7 @@ class LoopWriter {
             for (const Leaf& leaf : Leaves(type)) {
                 const std::string value = argument.name + leaf.path;
                 text += "            " + value + " = cost_vary(" + value + ", cost_zero);\n";
-                if (leaf.scalar == Scalar::kFloat) {
-                    any_input_ = value;
-                }
+                any_input_ = AsFloat(value, leaf.scalar);
             }
             text += AddAll(argument.name, type);
         }
@@ -136,7 +136,7 @@ class LoopWriter {
     unsigned copies_;
     bool is_empty_;
     std::string sum_;
-    std::string any_input_ = "float(cost_turn)";  // or a float among the inputs
+    std::string any_input_ = "1.0";  // where there is none
 };
 
 }  // namespace

@@ -47,6 +47,10 @@ struct Rows {
     // Empty, or as large as `outputs`: the outputs before they were rounded to binary32. Of an
     // output that is no float, its bits taken as one.
     std::span<Number> exact = {};
+    // Empty, or as large as all functions' blocks times `count`: how often each row entered each
+    // block is added here, of block b (of all functions one after the other) at row r to
+    // [b * count + r].
+    std::span<std::uint32_t> visits = {};
 };
 
 template <typename Number>

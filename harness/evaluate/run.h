@@ -54,6 +54,8 @@ struct Runner : Machine<N> {
     std::vector<Operation<N>> operations;         // by step
     std::vector<Operation<N>> global_operations;  // by step of Plan::globals
     std::vector<Frame<N>> frames;                 // by function
+    std::vector<std::uint32_t> first_blocks;      // by function: its first in Rows::visits
+    std::uint32_t blocks = 0;                     // of all functions
 
     Runner(std::shared_ptr<const Plan> what, const std::vector<Texture>& textures, Limits most);
 
@@ -66,6 +68,7 @@ struct Runner : Machine<N> {
     void MovePhis(Frame<N>& frame, const Edge& edge, const Mask& mask);
     void Switch(Frame<N>& frame, const Block& block);
     void CountStep(const Block& block);
+    void CountVisits(std::uint32_t block);
 };
 
 template <typename N>
@@ -92,6 +95,9 @@ void Runner<N>::RunFunction(std::uint32_t index) {
             this->lanes.Set(frame.waiting[at]);
         }
         frame.waiting[at] = Mask{};
+        if (!this->rows->visits.empty()) {
+            CountVisits(first_blocks[index] + at);
+        }
         const Block& block = function.blocks[at];
         RunBlock(block);
         if (this->lanes.count == 0) {
@@ -132,6 +138,13 @@ void Runner<N>::CountStep(const Block& block) {
             }
         });
     }
+}
+
+template <typename N>
+void Runner<N>::CountVisits(std::uint32_t block) {
+    std::uint32_t* visits =
+        this->rows->visits.data() + std::size_t{block} * this->rows->count + this->first_row;
+    this->lanes.Each([&](std::uint32_t lane) { ++visits[lane]; });
 }
 
 template <typename N>
@@ -285,6 +298,8 @@ Runner<N>::Runner(std::shared_ptr<const Plan> what, const std::vector<Texture>& 
         global_operations.push_back(OperationOf<N>(step.code));
     }
     for (const Function& function : this->plan->functions) {
+        first_blocks.push_back(blocks);
+        blocks += static_cast<std::uint32_t>(function.blocks.size());
         frames.emplace_back();
         frames.back().waiting.resize(function.blocks.size());
     }
@@ -315,6 +330,8 @@ Evaluator<N>::~Evaluator() = default;
 template <typename N>
 Status<> Evaluator<N>::Run(const Rows<N>& rows) {
     ETALON_CHECK(rows.exact.empty() || rows.exact.size() == rows.outputs.size());
+    ETALON_CHECK(rows.visits.empty() ||
+                 rows.visits.size() == std::size_t{state_->blocks} * rows.count);
     State& state = *state_;
     state.rows = &rows;
     state.failure.clear();
