@@ -57,7 +57,7 @@ MapCommand::MapCommand(CLI::App& app)
     word_->add_option("--recipe", choice_.recipe, "recipe; default: each device's own");
     word_->add_flag("--json", json_, "as JSON");
     AddRoot(*word_, root_);
-    devices_.AddTo(*word_);
+    devices_.AddTo(*word_, "the first found of vulkan:llvmpipe, osmesa:llvmpipe and cpu");
 }
 
 Result<MapRecord> MapCommand::Find() {

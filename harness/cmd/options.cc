@@ -24,9 +24,9 @@ CLI::Validator Within(double least, double most) {
         "");
 }
 
-void DeviceOptions::AddTo(CLI::App& app) {
+void DeviceOptions::AddTo(CLI::App& app, const std::string& otherwise) {
     app.add_option("-d,--device", patterns,
-                   "device by name or pattern (vulkan:*); repeatable; default: all")
+                   "device by name or pattern (vulkan:*); repeatable; default: " + otherwise)
         ->type_name("NAME")
         ->allow_extra_args(false);
     app.add_option("--driver", drivers,

@@ -28,7 +28,8 @@ struct DeviceOptions {
     double timeout = 10;
     std::uint64_t memory = 2048;
 
-    void AddTo(CLI::App& app);
+    // `otherwise` says which devices are taken where none is named.
+    void AddTo(CLI::App& app, const std::string& otherwise = "all");
     Result<DeviceChoice> Choice() const;
 };
 

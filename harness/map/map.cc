@@ -32,6 +32,15 @@ Result<DeviceSet> Open(const DeviceChoice& choice) {
     return OpenDevices(choice);
 }
 
+bool NeedsFragmentStage(const MapPlan& plan) {
+    const auto needs = [](const Signature& signature) {
+        return signature.stage == Stage::kFragment;
+    };
+    return needs(plan.prepared.signature) || (plan.spent && needs(plan.spent->signature)) ||
+           std::any_of(plan.prepared.laws.begin(), plan.prepared.laws.end(),
+                       [&](const PreparedLaw& law) { return needs(law.signature); });
+}
+
 std::string RepeatCommand(const MapChoice& choice, const MapRecord& map) {
     std::string command = "etalon map " + ShellWord(map.case_path);
     const auto add = [&](const char* option, const std::string& value) {
@@ -106,7 +115,7 @@ class Mapper {
         device.device = info.name;
         device.driver = info.description + ", " + info.driver + " " + info.version;
         Recipe recipe = wanted.value_or(DefaultRecipe(info));
-        if (plan_.prepared.signature.stage == Stage::kFragment) {
+        if (NeedsFragmentStage(plan_)) {
             recipe.stage = Stage::kFragment;
         }
         device.recipe = RecipeText(recipe);

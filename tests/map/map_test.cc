@@ -87,6 +87,31 @@ TEST_F(MapTest, ADeviceThatCannotIsTold) {
     EXPECT_EQ(two->devices.size(), 2u);
 }
 
+// A null device returns a for the first output and b for the second, a law's right side.
+TEST_F(MapTest, RunsTheBudgetsConditionAndLaws) {
+    constexpr const char* kDomain =
+        "[domain]\na = { range = [-2.0, 2.0], count = 9 }\nb = { range = [1.0, 3.0], count = 9 }\n";
+    constexpr const char* kMap = "[map]\nover = [\"a\", \"b\"]\nsize = [2, 1]\n";
+    folder_.Write("cases/c.toml",
+                  "source = \"f.glsl\"\ncall = \"f(a, b)\"\noracle = \"b\"\n"
+                  "accept = { ulp = 1 }\n" +
+                      std::string(kDomain) + kMap + "spent = \"a > 0.0\"\n");
+    const auto spent = Map({"null:echo"});
+    ASSERT_TRUE(spent) << spent.error().message;
+    EXPECT_THAT(spent->devices.at(0).mark, Each(MapMark::kSpent));
+
+    folder_.Write("cases/c.toml",
+                  "source = \"f.glsl\"\ncall = \"f(a, b)\"\n" + std::string(kDomain) + kMap +
+                      "[[law]]\nname = \"more\"\nholds = \"f(a, b) > 5.0 * f(a, b)\"\n");
+    const auto law = Map({"null:echo"});
+    ASSERT_TRUE(law) << law.error().message;
+    EXPECT_EQ(law->output, "law 'more'");
+    EXPECT_TRUE(law->condition.empty());
+    EXPECT_THAT(law->devices.at(0).mark, Each(MapMark::kRefused));
+    EXPECT_FALSE(law->prediction);
+    EXPECT_TRUE(law->Good());  // without a prediction a picture is no verdict
+}
+
 TEST_F(MapTest, TheRepeatCommandHasTheScope) {
     const auto map = Map(
         {"null:echo"}, {.over = "b,a", .ranges = {"a=1:2:log"}, .size = "2x2", .output = "result"});
