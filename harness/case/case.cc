@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/like.h"
+#include "case/read_case.h"
 #include "case/read_domain.h"
 #include "case/read_images.h"
 #include "case/read_judgement.h"
@@ -38,14 +39,17 @@ bool IsId(const std::string& text) {
 
 class CaseReader {
   public:
-    CaseReader(const TomlReader& reader, const toml::table& table)
-        : reader_(reader), table_(table) {}
+    CaseReader(const TomlReader& reader, const toml::table& table, Purpose purpose)
+        : reader_(reader), table_(table), purpose_(purpose) {}
 
     Result<Case> Read() {
         ETALON_TRY_STEP(ReadCall());
-        ETALON_TRY_STEP(ReadCovers());
         ETALON_TRY_STEP(ReadDomains());
         ETALON_TRY_STEP(ReadExpectations());
+        if (purpose_ == Purpose::kMeasure) {
+            return std::move(case_);
+        }
+        ETALON_TRY_STEP(ReadCovers());
         ETALON_TRY_STEP(ReadLaws());
         if (case_.expectations.empty() && case_.laws.empty()) {
             return reader_.Fail(
@@ -165,6 +169,13 @@ class CaseReader {
     Status<> ReadExpectations() {
         const toml::node* oracle = table_.get("oracle");
         const toml::node* accept = table_.get("accept");
+        const toml::table exact = toml::table{{"exact", true}};
+        if (accept == nullptr && purpose_ == Purpose::kMeasure) {
+            accept = oracle != nullptr ? &exact : nullptr;
+            if (accept == nullptr) {
+                return Ok();
+            }
+        }
         if (accept == nullptr) {
             return oracle == nullptr
                        ? Status<>(Ok())
@@ -228,7 +239,9 @@ class CaseReader {
             ETALON_TRY(table, reader_.Table(*own, "'accept' for '" + output + "'"));
             rule = table;
         }
-        expectation.place = reader_.PlaceOf(*rule);
+        // A rule that stands in no file is told of by its oracle's place.
+        expectation.place =
+            reader_.PlaceOf(rule->source().begin || oracle == nullptr ? *rule : *oracle);
         if (rule->contains("spec")) {
             ETALON_TRY(spec, ReadSpec(reader_, *rule));
             expectation.spec = spec;
@@ -273,16 +286,21 @@ class CaseReader {
 
     const TomlReader& reader_;
     const toml::table& table_;
+    Purpose purpose_;
     Case case_;
 };
 
 }  // namespace
 
+Result<Case> ReadCaseKeys(const TomlReader& reader, const toml::table& keys, Purpose purpose) {
+    return CaseReader(reader, keys, purpose).Read();
+}
+
 Result<Case> ReadCase(const std::filesystem::path& root, const std::string& path) {
     const std::filesystem::path file = FileOf(root, path);
     ETALON_TRY(keys, ReadKeys(root, file));
     const TomlReader reader(file.string());
-    ETALON_TRY(read, CaseReader(reader, keys.table).Read());
+    ETALON_TRY(read, ReadCaseKeys(reader, keys.table, Purpose::kJudge));
     read.path = path;
     read.like = keys.like;
     read.file = file;
@@ -397,7 +415,8 @@ Result<std::vector<std::string>> ListCases(const std::filesystem::path& root) {
     std::filesystem::recursive_directory_iterator at(folder, code);
     std::vector<std::string> paths;
     for (; !code && at != std::filesystem::recursive_directory_iterator(); at.increment(code)) {
-        if (at->is_regular_file() && at->path().extension() == ".toml" && !IsPart(at->path())) {
+        if (at->is_regular_file() && at->path().extension() == ".toml" && !IsPart(at->path()) &&
+            !IsFamily(at->path())) {
             paths.push_back(
                 at->path().lexically_relative(folder).replace_extension().generic_string());
         }

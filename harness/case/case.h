@@ -93,8 +93,8 @@ void TakeFullCounts(Case& deep);
 // -truth, 2 truth and truth + 1 would pass; or where there is no truth at any row.
 Status<> CheckAcceptance(const Case& checked, const Table& table);
 
-// The addresses of all cases under root/cases, sorted; files NAME.part.toml are none. Fails where
-// the folder is missing.
+// The addresses of all cases under root/cases, sorted; files NAME.part.toml and NAME.family.toml
+// are none. Fails where the folder is missing.
 Result<std::vector<std::string>> ListCases(const std::filesystem::path& root);
 
 }  // namespace etalon

@@ -20,21 +20,15 @@ bool IsOwn(std::string_view key) {
     return std::find(std::begin(kOwnKeys), std::end(kOwnKeys), key) != std::end(kOwnKeys);
 }
 
-// `likes` are the files that led here, the case itself first.
-Result<toml::table> Read(const fs::path& root, const fs::path& file, std::vector<fs::path>& likes) {
-    ETALON_TRY(text, ReadTextFile(file));
+Result<toml::table> Read(const fs::path& root, const fs::path& file, std::vector<fs::path>& likes);
+
+// Adds to a table that stands in `file` the keys that its `like` names.
+Status<> AddKeys(const fs::path& root, const fs::path& file, toml::table& table,
+                 std::vector<fs::path>& likes) {
     const TomlReader reader(file.string());
-    ETALON_TRY(table, reader.Parse(text));
-    ETALON_TRY_STEP(reader.OnlyKeys(table, kKeys));
-    for (const auto& [key, node] : TomlReader::InOrder(table)) {
-        if (IsPart(file) && key != "like" && IsOwn(key)) {
-            return reader.Fail(*node, "'" + key + "' belongs to a case, and this is a part");
-        }
-    }
-    likes.push_back(file);
     const toml::node* node = table.get("like");
     if (node == nullptr) {
-        return std::move(table);
+        return Ok();
     }
     ETALON_TRY(name, reader.TextAt(table, "like", std::nullopt));
     const fs::path other =
@@ -58,6 +52,22 @@ Result<toml::table> Read(const fs::path& root, const fs::path& file, std::vector
             table.insert(key, std::move(value));
         }
     }
+    return Ok();
+}
+
+// `likes` are the files that led here, the case itself first.
+Result<toml::table> Read(const fs::path& root, const fs::path& file, std::vector<fs::path>& likes) {
+    ETALON_TRY(text, ReadTextFile(file));
+    const TomlReader reader(file.string());
+    ETALON_TRY(table, reader.Parse(text));
+    ETALON_TRY_STEP(reader.OnlyKeys(table, kKeys));
+    for (const auto& [key, node] : TomlReader::InOrder(table)) {
+        if (IsPart(file) && key != "like" && IsOwn(key)) {
+            return reader.Fail(*node, "'" + key + "' belongs to a case, and this is a part");
+        }
+    }
+    likes.push_back(file);
+    ETALON_TRY_STEP(AddKeys(root, file, table, likes));
     return std::move(table);
 }
 
@@ -65,6 +75,21 @@ Result<toml::table> Read(const fs::path& root, const fs::path& file, std::vector
 
 bool IsPart(const fs::path& file) {
     return file.string().ends_with(".part.toml");
+}
+
+bool IsFamily(const fs::path& file) {
+    return file.string().ends_with(".family.toml");
+}
+
+std::span<const std::string_view> CaseKeys() {
+    return kKeys;
+}
+
+Status<> AddLikeKeys(const fs::path& root, const fs::path& file, toml::table& table) {
+    std::vector<fs::path> likes = {file.lexically_normal()};
+    ETALON_TRY_STEP(AddKeys(root, file, table, likes));
+    table.erase("like");
+    return Ok();
 }
 
 Result<Keys> ReadKeys(const fs::path& root, const fs::path& file) {

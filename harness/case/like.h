@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "case/toml_reader.h"
 
@@ -10,6 +12,12 @@ namespace etalon {
 
 // True for a file that is no case of its own and only serves others as `like`: "NAME.part.toml".
 bool IsPart(const std::filesystem::path& file);
+
+// True for "NAME.family.toml", several functions for one quantity (chart/family.h), and no case.
+bool IsFamily(const std::filesystem::path& file);
+
+// All keys that a case may have.
+std::span<const std::string_view> CaseKeys();
 
 struct Keys {
     toml::table table;
@@ -21,5 +29,10 @@ struct Keys {
 // on; `covers` and `expected_failure` are their own case's alone. Every node knows the file that it
 // comes from. Fails where a file has a key that no case has, and where files are like each other.
 Result<Keys> ReadKeys(const std::filesystem::path& root, const std::filesystem::path& file);
+
+// The same for a table of keys that stands in `file`: adds those that its `like` names, if it has
+// one, and takes `like` away.
+Status<> AddLikeKeys(const std::filesystem::path& root, const std::filesystem::path& file,
+                     toml::table& table);
 
 }  // namespace etalon

@@ -7,7 +7,8 @@
 namespace etalon {
 
 Result<std::vector<std::optional<std::uint32_t>>> ReadGiven(const std::vector<Column>& columns,
-                                                            const std::string& at) {
+                                                            const std::string& at,
+                                                            const std::string& origin) {
     std::vector<std::optional<std::uint32_t>> given(columns.size());
     std::size_t from = 0;
     while (!at.empty() && from <= at.size()) {
@@ -17,21 +18,21 @@ Result<std::vector<std::optional<std::uint32_t>>> ReadGiven(const std::vector<Co
         item.erase(0, item.find_first_not_of(' '));
         const std::size_t equals = item.find('=');
         if (equals == std::string::npos) {
-            return Error{"--at: '" + item + "' is not NAME=VALUE"};
+            return Error{origin + ": '" + item + "' is not NAME=VALUE"};
         }
         const std::string name = item.substr(0, equals);
         const auto column = std::find_if(columns.begin(), columns.end(),
                                          [&](const Column& one) { return one.name == name; });
         if (column == columns.end()) {
-            return Error{"--at: the case has no input '" + name + "'"};
+            return Error{origin + ": the case has no input '" + name + "'"};
         }
         Result<std::uint32_t> word = ParseWord(column->scalar, item.substr(equals + 1));
         if (!word) {
-            return Error{"--at: " + name + ": " + word.error().message};
+            return Error{origin + ": " + name + ": " + word.error().message};
         }
         auto& place = given[static_cast<std::size_t>(column - columns.begin())];
         if (place) {
-            return Error{"--at: '" + name + "' stands twice"};
+            return Error{origin + ": '" + name + "' stands twice"};
         }
         place = *word;
     }

@@ -12,7 +12,9 @@
 namespace etalon {
 
 // The word of each column for which `at` gives one: "n1=0x1p+0, v.x=0.5". Empty text gives none.
+// `origin` is what errors begin with.
 Result<std::vector<std::optional<std::uint32_t>>> ReadGiven(const std::vector<Column>& columns,
-                                                            const std::string& at);
+                                                            const std::string& at,
+                                                            const std::string& origin = "--at");
 
 }  // namespace etalon

@@ -1,0 +1,467 @@
+#include "chart/family_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/like.h"
+#include "case/read_case.h"
+#include "case/read_domain.h"
+#include "case/suggestion.h"
+#include "numeric/number_text.h"
+#include "run/given.h"
+
+namespace etalon {
+namespace {
+
+// Keys of a case that say what is judged, or where it stands; a family has no use for them.
+constexpr std::string_view kJudged[] = {"family", "law", "covers", "expected_failure"};
+// Keys that a table has of its own, and hands on to no point.
+constexpr std::string_view kOwn[] = {"name", "description", "settings", "published", "at", "like"};
+
+bool IsAmong(std::string_view key, std::span<const std::string_view> keys) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+// The keys that a case of the family takes, and these.
+std::vector<std::string_view> KeysWith(std::initializer_list<std::string_view> own) {
+    std::vector<std::string_view> keys(own);
+    for (const std::string_view key : CaseKeys()) {
+        if (!IsAmong(key, kJudged) && key != "like") {
+            keys.push_back(key);
+        }
+    }
+    return keys;
+}
+
+// Puts `over` over the keys.
+void Lay(toml::table&& over, toml::table& keys) {
+    for (auto [key, value] : over) {
+        toml::node* const below = keys.get(key);
+        if (IsAmong(key.str(), kOwn) || below == nullptr) {
+            keys.insert(key, std::move(value));
+        } else if ((key.str() == "define" || key.str() == "images") && below->is_table() &&
+                   value.is_table()) {
+            for (auto [name, entry] : *value.as_table()) {
+                below->as_table()->insert_or_assign(name, std::move(entry));
+            }
+        } else if ((key.str() == "with" || key.str() == "include") && below->is_array() &&
+                   value.is_array()) {
+            for (toml::node& entry : *value.as_array()) {
+                below->as_array()->push_back(std::move(entry));
+            }
+        } else {
+            keys.insert_or_assign(key, std::move(value));
+        }
+    }
+}
+
+std::string LabelOf(const std::string& member, const std::vector<Setting>& settings) {
+    std::string label = member;
+    for (const Setting& setting : settings) {
+        label += ", " + setting.name + "=" + setting.text;
+    }
+    return label;
+}
+
+// The name below cases/, or the file's alone.
+std::string AddressOf(const std::filesystem::path& root, const std::filesystem::path& file) {
+    std::string address = file.lexically_relative(root / "cases").generic_string();
+    if (address.empty() || address.starts_with("..")) {
+        address = file.filename().string();
+    }
+    for (const std::string_view suffix : {".toml", ".family"}) {
+        if (address.ends_with(suffix)) {
+            address.resize(address.size() - suffix.size());
+        }
+    }
+    return address;
+}
+
+// GLSL has no number without a point but the integers.
+std::string GlslNumber(double value) {
+    std::string text = Shortest(value);
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+}  // namespace
+
+FamilyReader::FamilyReader(const std::filesystem::path& root, const std::filesystem::path& file,
+                           std::string text)
+    : root_(root), reader_(file.string()), text_(std::move(text)) {
+    family_.address = AddressOf(root.lexically_normal(), file.lexically_normal());
+    family_.file = file;
+    family_.root = root;
+}
+
+Result<Family> FamilyReader::Read() {
+    ETALON_TRY(table, reader_.Parse(text_));
+    table_ = std::move(table);
+    ETALON_TRY_STEP(ReadHead());
+    ETALON_TRY_STEP(ReadScenes());
+    ETALON_TRY_STEP(ReadMembers());
+    ETALON_TRY_STEP(ReadReference());
+    return std::move(family_);
+}
+
+Status<> FamilyReader::ReadHead() {
+    ETALON_TRY_STEP(
+        reader_.OnlyKeys(table_, KeysWith({"quantity", "measure", "unit", "reference",
+                                           "published_unit", "scene", "member", "at", "like"})));
+    const std::pair<const char*, std::string*> texts[] = {
+        {"quantity", &family_.quantity},
+        {"description", &family_.description},
+        {"unit", &family_.unit},
+        {"published_unit", &family_.published_unit}};
+    for (const auto& [key, text] : texts) {
+        ETALON_TRY(read, reader_.TextAt(table_, key, ""));
+        *text = read;
+    }
+    ETALON_TRY(measure, reader_.TextAt(table_, "measure", "absolute"));
+    const ErrorMeasure measures[] = {ErrorMeasure::kAbsolute, ErrorMeasure::kRelative,
+                                     ErrorMeasure::kUlp};
+    const auto* const found =
+        std::find_if(std::begin(measures), std::end(measures),
+                     [&](ErrorMeasure one) { return MeasureName(one) == measure; });
+    if (found == std::end(measures)) {
+        return reader_.Fail(*table_.get("measure"), "'measure' must be absolute, relative or ulp");
+    }
+    family_.measure = *found;
+    if (!family_.unit.empty() && family_.measure != ErrorMeasure::kAbsolute) {
+        return reader_.Fail(*table_.get("unit"),
+                            "'unit' is of absolute errors, and 'measure' is " + measure);
+    }
+    return Ok();
+}
+
+Result<std::vector<FamilyReader::Entry>> FamilyReader::Entries(
+    const char* key, std::span<const std::string_view> keys) {
+    std::vector<Entry> entries;
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) {
+        return entries;
+    }
+    const std::string what = "[[" + std::string(key) + "]]";
+    ETALON_TRY(list, reader_.List(*node, what));
+    for (const toml::node& entry : *list) {
+        ETALON_TRY(table, reader_.Table(entry, what));
+        if (!table->contains("name")) {
+            return reader_.Fail(*table, "a " + std::string(key) + " without a 'name'");
+        }
+        ETALON_TRY(name, reader_.TextAt(*table, "name", std::nullopt));
+        for (const Entry& other : entries) {
+            if (other.name == name) {
+                return reader_.Fail(*table,
+                                    "two " + std::string(key) + "s are called '" + name + "'");
+            }
+        }
+        ETALON_TRY_STEP(reader_.OnlyKeys(*table, keys));
+        entries.push_back({name, table});
+    }
+    return entries;
+}
+
+Status<> FamilyReader::ReadScenes() {
+    ETALON_TRY(scenes, Entries("scene", KeysWith({"name", "at", "like"})));
+    scenes_ = scenes;
+    for (const Entry& scene : scenes_) {
+        if (scene.name == "all") {
+            return reader_.Fail(*scene.table, "'all' is the name of all scenes together");
+        }
+        ETALON_TRY(description, reader_.TextAt(*scene.table, "description", ""));
+        family_.scenes.push_back({scene.name, description});
+    }
+    if (scenes_.empty()) {
+        family_.scenes.push_back({"", ""});
+    }
+    return Ok();
+}
+
+Result<Setting> FamilyReader::ReadSetting(const std::string& name, const toml::node& node) const {
+    if (const auto* integer = node.as_integer()) {
+        return Setting{name, std::to_string(integer->get()), static_cast<double>(integer->get())};
+    }
+    if (const auto* real = node.as_floating_point();
+        real != nullptr && std::isfinite(real->get())) {
+        return Setting{name, GlslNumber(real->get()), real->get()};
+    }
+    if (const auto* flag = node.as_boolean()) {
+        return Setting{name, flag->get() ? "true" : "false", std::nullopt};
+    }
+    if (const auto* text = node.as_string()) {
+        return Setting{name, text->get(), std::nullopt};
+    }
+    return reader_.Fail(node, "setting '" + name + "': a value is a number, a flag or a text");
+}
+
+Result<std::vector<FamilyReader::Axis>> FamilyReader::Axes(const toml::table& member) const {
+    std::vector<Axis> axes;
+    const toml::node* node = member.get("settings");
+    if (node == nullptr) {
+        return axes;
+    }
+    ETALON_TRY(settings, reader_.Table(*node, "'settings'"));
+    for (const auto& [name, values] : TomlReader::InOrder(*settings)) {
+        if (!IsIdentifier(name)) {
+            return reader_.Fail(*values, "setting '" + name + "': not a GLSL name");
+        }
+        ETALON_TRY(list, reader_.List(*values, "setting '" + name + "'"));
+        if (list->empty()) {
+            return reader_.Fail(*values, "setting '" + name + "' has no values");
+        }
+        Axis axis = {name, {}};
+        for (const toml::node& value : *list) {
+            ETALON_TRY(setting, ReadSetting(name, value));
+            axis.second.push_back(setting);
+        }
+        axes.push_back(std::move(axis));
+    }
+    return axes;
+}
+
+Status<> FamilyReader::ReadMembers() {
+    ETALON_TRY(members, Entries("member", KeysWith({"name", "settings", "published", "at"})));
+    if (members.empty()) {
+        return reader_.Fail(1, "a family has members: [[member]] is missing");
+    }
+    members_ = members;
+    for (std::size_t index = 0; index < members_.size(); ++index) {
+        const toml::table& table = *members_[index].table;
+        FamilyMember member;
+        member.name = members_[index].name;
+        ETALON_TRY(description, reader_.TextAt(table, "description", ""));
+        member.description = description;
+        ETALON_TRY(axes, Axes(table));
+        std::vector<std::vector<Setting>> combinations = {{}};
+        for (const Axis& axis : axes) {
+            std::vector<std::vector<Setting>> longer;
+            for (const std::vector<Setting>& shorter : combinations) {
+                for (const Setting& setting : axis.second) {
+                    longer.push_back(shorter);
+                    longer.back().push_back(setting);
+                }
+            }
+            combinations = std::move(longer);
+        }
+        if (const toml::node* published = table.get("published")) {
+            ETALON_TRY(figure, reader_.Number(*published, "'published'"));
+            if (!(figure > 0)) {
+                return reader_.Fail(*published, "'published' must be a positive number");
+            }
+            if (combinations.size() > 1) {
+                return reader_.Fail(*published, "'published' is one figure, and the member has " +
+                                                    std::to_string(combinations.size()) +
+                                                    " points");
+            }
+            member.published = figure;
+        }
+        family_.members.push_back(std::move(member));
+        for (const std::vector<Setting>& settings : combinations) {
+            ETALON_TRY(point, MakePoint(index, settings));
+            for (const FamilyPoint& other : family_.points) {
+                if (other.label == point.label) {
+                    return reader_.Fail(table, "two points are called '" + point.label + "'");
+                }
+            }
+            family_.points.push_back(std::move(point));
+        }
+    }
+    return Ok();
+}
+
+Result<FamilyPoint> FamilyReader::MakePoint(std::size_t member,
+                                            const std::vector<Setting>& settings) {
+    FamilyPoint point;
+    point.member = member;
+    point.settings = settings;
+    point.label = LabelOf(members_[member].name, settings);
+    for (std::size_t scene = 0; scene < family_.scenes.size(); ++scene) {
+        ETALON_TRY(one, MakeCase(member, scene, settings));
+        point.cases.push_back(std::move(one));
+    }
+    return point;
+}
+
+Result<Case> FamilyReader::MakeCase(std::size_t member, std::size_t scene,
+                                    const std::vector<Setting>& settings) {
+    // A copy of a node forgets where it stands, a moved one does not: hence a table of its own for
+    // each point.
+    ETALON_TRY(keys, reader_.Parse(text_));
+    const auto take = [&keys = keys](const char* key, std::size_t index) {
+        return std::move(*keys.get(key)->as_array()->get(index)->as_table());
+    };
+    toml::table own = take("member", member);
+    toml::table around = scenes_.empty() ? toml::table() : take("scene", scene);
+    for (const char* const key :
+         {"quantity", "measure", "unit", "reference", "published_unit", "scene", "member"}) {
+        keys.erase(key);
+    }
+    ETALON_TRY_STEP(AddLikeKeys(root_, family_.file, keys));
+    ETALON_TRY_STEP(AddLikeKeys(root_, family_.file, around));
+    std::vector<toml::value<std::string>> held;
+    for (toml::table* table : {&keys, &around, &own}) {
+        if (toml::node* at = table->get("at")) {
+            if (!at->is_string()) {
+                return reader_.Fail(*at, "'at' must be a text in quotes");
+            }
+            held.push_back(std::move(*at->as_string()));
+        }
+    }
+    for (toml::table* table : {&keys, &around, &own}) {
+        for (const std::string_view key : kOwn) {
+            table->erase(key);
+        }
+        for (const std::string_view key : kJudged) {
+            table->erase(key);
+        }
+    }
+    Lay(std::move(around), keys);
+    Lay(std::move(own), keys);
+    for (const char* const key : {"source", "call"}) {
+        if (!keys.contains(key)) {
+            return reader_.Fail(*members_[member].table, "member '" + members_[member].name +
+                                                             "' has no '" + key +
+                                                             "', and neither has the family");
+        }
+    }
+    ETALON_TRY(read, ReadCaseKeys(reader_, keys, Purpose::kMeasure));
+    read.path = family_.address;
+    read.file = family_.file;
+    read.root = root_;
+    for (const Setting& setting : settings) {
+        read.define[setting.name] = setting.text;
+    }
+    for (const toml::value<std::string>& at : held) {
+        ETALON_TRY_STEP(HoldInputs(at, read));
+    }
+    ETALON_TRY_STEP(Count(read, keys.contains("accept"), *members_[member].table));
+    return std::move(read);
+}
+
+Status<> FamilyReader::HoldInputs(const toml::value<std::string>& at, Case& held) const {
+    std::vector<Column> columns;
+    for (const Input& input : held.domains.front().inputs) {
+        const auto own = ColumnsOf(input.name, input.type);
+        columns.insert(columns.end(), own->begin(), own->end());
+    }
+    const auto given = ReadGiven(columns, at.get(), "'at'");
+    if (!given) {
+        return reader_.Fail(at, given.error().message);
+    }
+    std::size_t first = 0;
+    for (const Input& input : held.domains.front().inputs) {
+        const std::size_t size = ColumnsOf(input.name, input.type)->size();
+        std::vector<double> value;
+        for (std::size_t k = first; k < first + size; ++k) {
+            if ((*given)[k]) {
+                value.push_back(WordValue(columns[k].scalar, *(*given)[k]));
+            }
+        }
+        first += size;
+        if (value.empty()) {
+            continue;
+        }
+        if (value.size() != size) {
+            return reader_.Fail(at, "'at': of '" + input.name + "' not all components are given");
+        }
+        for (Domain& domain : held.domains) {
+            for (Input& other : domain.inputs) {
+                if (other.name == input.name) {
+                    Input single;
+                    single.name = other.name;
+                    single.type = other.type;
+                    single.values = {value};
+                    single.line = other.line;
+                    other = single;
+                }
+            }
+        }
+    }
+    return Ok();
+}
+
+Status<> FamilyReader::Count(const Case& read, bool is_judged, const toml::table& member) {
+    const bool has_truth = !read.expectations.empty();
+    const bool is_search = std::any_of(
+        read.expectations.begin(), read.expectations.end(),
+        [](const Expectation& one) { return one.accept.shares && one.accept.shares->beyond; });
+    if (is_search && read.expectations.size() > 1) {
+        return reader_.Fail(member, "a search has one oracle: that of the way to the hit");
+    }
+    for (const Expectation& one : read.expectations) {
+        if (!one.spec.empty()) {
+            return Error{one.place.Text() + "'spec': errors are measured against an oracle"};
+        }
+    }
+    if (read.recipes.size() > 1) {
+        return reader_.Fail(member, "'recipes': a chart has one");
+    }
+    const std::pair<bool, bool*> facts[] = {{has_truth, &family_.has_truth},
+                                            {is_judged, &family_.is_judged},
+                                            {is_search, &family_.is_search}};
+    constexpr const char* kNames[] = {"an oracle", "an 'accept'", "a 'beyond' in 'accept'"};
+    for (std::size_t i = 0; i < std::size(facts); ++i) {
+        if (cases_ > 0 && *facts[i].second != facts[i].first) {
+            return reader_.Fail(member, "all members have " + std::string(kNames[i]) +
+                                            " in all scenes, or none has");
+        }
+        *facts[i].second = facts[i].first;
+    }
+    ++cases_;
+    return Ok();
+}
+
+Status<> FamilyReader::ReadReference() {
+    const toml::node* node = table_.get("reference");
+    if (node == nullptr) {
+        return Ok();
+    }
+    std::string name;
+    std::vector<Setting> settings;
+    if (const toml::table* table = node->as_table()) {
+        ETALON_TRY_STEP(reader_.OnlyKeys(*table, {"member", "settings"}));
+        ETALON_TRY(member, reader_.TextAt(*table, "member", std::nullopt));
+        name = member;
+        if (const toml::node* chosen = table->get("settings")) {
+            ETALON_TRY(chosen_table, reader_.Table(*chosen, "'settings'"));
+            for (const auto& [key, value] : TomlReader::InOrder(*chosen_table)) {
+                ETALON_TRY(setting, ReadSetting(key, *value));
+                settings.push_back(setting);
+            }
+        }
+    } else {
+        ETALON_TRY(text, reader_.Text(*node, "'reference'"));
+        name = text;
+    }
+    std::vector<std::size_t> found;
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < family_.points.size(); ++i) {
+        const FamilyPoint& point = family_.points[i];
+        const std::string& member = family_.members[point.member].name;
+        names.push_back(member);
+        const bool is_set =
+            std::all_of(settings.begin(), settings.end(), [&point](const Setting& wanted) {
+                return std::any_of(point.settings.begin(), point.settings.end(),
+                                   [&wanted](const Setting& one) {
+                                       return one.name == wanted.name && one.text == wanted.text;
+                                   });
+            });
+        if ((member == name || point.label == name) && is_set) {
+            found.push_back(i);
+        }
+    }
+    if (found.empty()) {
+        const std::string written = "'" + LabelOf(name, settings) + "'";
+        return settings.empty() ? reader_.Fail(*node, "'reference' names no member: " + written +
+                                                          Suggestion(name, names))
+                                : reader_.Fail(*node, "'reference' names no point: " + written);
+    }
+    if (found.size() > 1) {
+        return reader_.Fail(*node, "'reference' names " + std::to_string(found.size()) +
+                                       " points; the first is '" +
+                                       family_.points[found.front()].label + "'");
+    }
+    family_.reference = found.front();
+    return Ok();
+}
+
+}  // namespace etalon

@@ -1,0 +1,52 @@
+// Reads the TOML of a family and expands it into points.
+#pragma once
+
+#include "case/toml_reader.h"
+#include "chart/family.h"
+
+namespace etalon {
+
+class FamilyReader {
+  public:
+    // `text` is the file's.
+    FamilyReader(const std::filesystem::path& root, const std::filesystem::path& file,
+                 std::string text);
+
+    Result<Family> Read();
+
+  private:
+    // A setting's name and its values, in the file's order.
+    using Axis = std::pair<std::string, std::vector<Setting>>;
+
+    // A table of a member or a scene, and where it stands.
+    struct Entry {
+        std::string name;
+        const toml::table* table = nullptr;
+    };
+
+    Status<> ReadHead();
+    Status<> ReadScenes();
+    Status<> ReadMembers();
+    Status<> ReadReference();
+
+    Result<std::vector<Entry>> Entries(const char* key, std::span<const std::string_view> keys);
+    Result<std::vector<Axis>> Axes(const toml::table& member) const;
+    Result<Setting> ReadSetting(const std::string& name, const toml::node& node) const;
+    Result<FamilyPoint> MakePoint(std::size_t member, const std::vector<Setting>& settings);
+    Result<Case> MakeCase(std::size_t member, std::size_t scene,
+                          const std::vector<Setting>& settings);
+    Status<> HoldInputs(const toml::value<std::string>& at, Case& held) const;
+    // Takes a case's word for what the family is: all of them must agree.
+    Status<> Count(const Case& read, bool is_judged, const toml::table& member);
+
+    std::filesystem::path root_;
+    TomlReader reader_;
+    std::string text_;
+    toml::table table_;
+    std::vector<Entry> members_;
+    std::vector<Entry> scenes_;
+    std::size_t cases_ = 0;  // that have been counted
+    Family family_;
+};
+
+}  // namespace etalon
