@@ -39,6 +39,13 @@ Result<Family> ReadFamily(const fs::path& root, const fs::path& file) {
     return FamilyReader(root, file, std::move(text)).Read();
 }
 
+Result<std::string> ReadQuantity(const fs::path& file) {
+    ETALON_TRY(text, ReadTextFile(file));
+    const TomlReader reader(file.string());
+    ETALON_TRY(table, reader.Parse(text));
+    return reader.TextAt(table, "quantity", "");
+}
+
 Result<std::vector<std::string>> ListFamilies(const fs::path& root) {
     const fs::path folder = root / "cases";
     std::error_code code;

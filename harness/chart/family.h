@@ -90,6 +90,9 @@ Result<Family> ReadFamily(const std::filesystem::path& root, const std::filesyst
 // The addresses of all families under root/cases, sorted. Fails where the folder is missing.
 Result<std::vector<std::string>> ListFamilies(const std::filesystem::path& root);
 
+// The `quantity` of a family's file, or nothing; no other key is looked at.
+Result<std::string> ReadQuantity(const std::filesystem::path& file);
+
 // Where a family is that is named by its address, or by a TOML file.
 struct FamilyPlace {
     std::filesystem::path root;

@@ -31,6 +31,7 @@ std::unique_ptr<Command> AddList(CLI::App& app);
 std::unique_ptr<Command> AddRun(CLI::App& app, std::vector<std::string> gtest_arguments);
 std::unique_ptr<Command> AddExplain(CLI::App& app);
 std::unique_ptr<Command> AddSweep(CLI::App& app);
+std::unique_ptr<Command> AddChart(CLI::App& app);
 std::unique_ptr<Command> AddMap(CLI::App& app);
 std::unique_ptr<Command> AddProbe(CLI::App& app);
 std::unique_ptr<Command> AddBake(CLI::App& app);

@@ -69,6 +69,7 @@ int Main(std::vector<std::string> arguments) {
     commands.push_back(AddRun(app, gtest_arguments));
     commands.push_back(AddExplain(app));
     commands.push_back(AddSweep(app));
+    commands.push_back(AddChart(app));
     commands.push_back(AddMap(app));
     commands.push_back(AddProbe(app));
     commands.push_back(AddBake(app));

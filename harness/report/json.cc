@@ -7,19 +7,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json DeviceJson(const DeviceInfo& device) {
-    return {{"name", device.name},
-            {"description", device.description},
-            {"driver", device.driver},
-            {"version", device.version},
-            {"api", device.api},
-            {"glsl_version", device.glsl_version},
-            {"compiler", device.compiler},
-            {"features", device.features},
-            {"float_controls", device.float_controls},
-            {"fingerprint", Fingerprint(device)}};
-}
-
 ordered_json InputsJson(const std::vector<std::pair<std::string, Value>>& inputs) {
     ordered_json json = ordered_json::object();
     for (const auto& [name, value] : inputs) {
@@ -139,6 +126,19 @@ ordered_json FindingJson(const Finding& finding) {
 }
 
 }  // namespace
+
+ordered_json DeviceJson(const DeviceInfo& device) {
+    return {{"name", device.name},
+            {"description", device.description},
+            {"driver", device.driver},
+            {"version", device.version},
+            {"api", device.api},
+            {"glsl_version", device.glsl_version},
+            {"compiler", device.compiler},
+            {"features", device.features},
+            {"float_controls", device.float_controls},
+            {"fingerprint", Fingerprint(device)}};
+}
 
 ordered_json RecordJson(const Record& record) {
     ordered_json json = {{"case", record.case_path},
