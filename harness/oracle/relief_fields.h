@@ -14,8 +14,14 @@
 //   flat     128 x 128  -0.125 everywhere
 //   film     128 x 128  waves cut off at the box's top: two fifths of its texels are 0.5
 //   tiny       8 x 8    noise from texel to texel, -0.4375 .. 0.4375
+//   plane    128 x 128  -0.137 everywhere
+//   ramp     128 x 128  -0.42 to 0.42 along i and down again; gradient 0.013
+//   sine1    128 x 128  one wave along i, -0.4 .. 0.4; gradient 0.020
+//   sine4    128 x 128  four waves; gradient 0.078
+//   sine16   128 x 128  sixteen waves, of eight texels each; gradient 0.28
+//   cap      128 x 128  four caps of spheres, 48 texels wide and 0.75 high; gradient 0.075
 //
-// No level of bricks, ridges and steps is where a search in 8, 16, 24 or 32 equal steps samples: on
+// No level of bricks, ridges, steps and the plane is where a search in 8, 16, 24 or 32 equal steps samples: on
 // the level itself the last bit decides what is met.
 //
 //   relief.texel_smooth(i, j), ...  the texel in column i and row j; any integers
@@ -50,7 +56,7 @@ class HeightField {
     std::vector<double> texels_;
 };
 
-inline constexpr std::size_t kHeightFields = 9;
+inline constexpr std::size_t kHeightFields = 15;
 
 // All fields, kHeightFields of them.
 std::span<const HeightField> HeightFields();

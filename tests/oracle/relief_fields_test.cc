@@ -41,9 +41,10 @@ TEST(ReliefFields, HoldMultiplesOfTheUnitWithinTheBox) {
 }
 
 TEST(ReliefFields, AreAsSteepAsStated) {
-    const std::map<std::string_view, double> stated = {{"smooth", 0.066}, {"bricks", 0.53},
-                                                       {"noise", 0.13},   {"ridges", 1.13},
-                                                       {"steps", 0.11},   {"flat", 0}};
+    const std::map<std::string_view, double> stated = {
+        {"smooth", 0.066}, {"bricks", 0.53}, {"noise", 0.13},  {"ridges", 1.13},
+        {"steps", 0.11},   {"flat", 0},      {"plane", 0},     {"ramp", 0.013},
+        {"sine1", 0.020},  {"sine4", 0.078}, {"sine16", 0.28}, {"cap", 0.075}};
     for (const HeightField& field : HeightFields()) {
         const auto found = stated.find(field.name());
         if (found != stated.end()) {
@@ -54,7 +55,8 @@ TEST(ReliefFields, AreAsSteepAsStated) {
 
 TEST(ReliefFields, LevelsLieBetweenTheSamplesOfEqualSteps) {
     for (const HeightField& field : HeightFields()) {
-        if (field.name() == "bricks" || field.name() == "ridges" || field.name() == "steps") {
+        if (field.name() == "bricks" || field.name() == "ridges" || field.name() == "steps" ||
+            field.name() == "plane") {
             for (int i = 0; i < field.size(); ++i) {
                 for (const int steps : {8, 16, 24, 32}) {
                     const double sample = (0.5 - field.Texel(i, 4)) * steps;
