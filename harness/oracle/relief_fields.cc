@@ -96,6 +96,10 @@ double Sine(int i, int) {
     return 0.4 * Wave(kWaves * i);
 }
 
+double Ripples(int i, int) {
+    return -0.125 + 0.02 * Wave(4 * i);
+}
+
 // Four caps 48 texels wide and 0.75 high, of spheres.
 double Cap(int i, int j) {
     constexpr double kTexelsPerHeight = 12.8;
@@ -159,6 +163,7 @@ std::span<const HeightField> HeightFields() {
         {"sine4", kSize, Sine<4>},
         {"sine16", kSize, Sine<16>},
         {"cap", kSize, Cap},
+        {"ripples", kSize, Ripples},
     }};
     return fields;
 }

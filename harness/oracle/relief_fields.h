@@ -20,6 +20,7 @@
 //   sine4    128 x 128  four waves; gradient 0.078
 //   sine16   128 x 128  sixteen waves, of eight texels each; gradient 0.28
 //   cap      128 x 128  four caps of spheres, 48 texels wide and 0.75 high; gradient 0.075
+//   ripples  128 x 128  four waves along i, -0.145 .. -0.105; gradient 0.0040
 //
 // No level of bricks, ridges, steps and the plane is where a search in 8, 16, 24 or 32 equal steps samples: on
 // the level itself the last bit decides what is met.
@@ -56,7 +57,7 @@ class HeightField {
     std::vector<double> texels_;
 };
 
-inline constexpr std::size_t kHeightFields = 15;
+inline constexpr std::size_t kHeightFields = 16;
 
 // All fields, kHeightFields of them.
 std::span<const HeightField> HeightFields();
