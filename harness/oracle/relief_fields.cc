@@ -159,9 +159,9 @@ std::span<const HeightField> HeightFields() {
         {"tiny", kTinySize, Tiny},
         {"plane", kSize, Plane},
         {"ramp", kSize, Ramp},
-        {"sine1", kSize, Sine<1>},
-        {"sine4", kSize, Sine<4>},
-        {"sine16", kSize, Sine<16>},
+        {"sine_one", kSize, Sine<1>},
+        {"sine_four", kSize, Sine<4>},
+        {"sine_sixteen", kSize, Sine<16>},
         {"cap", kSize, Cap},
         {"ripples", kSize, Ripples},
     }};

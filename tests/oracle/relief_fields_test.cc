@@ -42,9 +42,10 @@ TEST(ReliefFields, HoldMultiplesOfTheUnitWithinTheBox) {
 
 TEST(ReliefFields, AreAsSteepAsStated) {
     const std::map<std::string_view, double> stated = {
-        {"smooth", 0.066}, {"bricks", 0.53}, {"noise", 0.13},   {"ridges", 1.13}, {"steps", 0.11},
-        {"flat", 0},       {"plane", 0},     {"ramp", 0.013},   {"sine1", 0.020}, {"sine4", 0.078},
-        {"sine16", 0.28},  {"cap", 0.075},   {"ripples", 0.004}};
+        {"smooth", 0.066},   {"bricks", 0.53},     {"noise", 0.13},        {"ridges", 1.13},
+        {"steps", 0.11},     {"flat", 0},          {"plane", 0},           {"ramp", 0.013},
+        {"sine_one", 0.020}, {"sine_four", 0.078}, {"sine_sixteen", 0.28}, {"cap", 0.075},
+        {"ripples", 0.004}};
     for (const HeightField& field : HeightFields()) {
         const auto found = stated.find(field.name());
         if (found != stated.end()) {
