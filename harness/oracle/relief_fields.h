@@ -13,7 +13,7 @@
 //   spike         128 x 128  one texel of 0.5 in a plane of -0.43
 //   flat          128 x 128  -0.125 everywhere
 //   film          128 x 128  waves cut off at the box's top: two fifths of its texels are 0.5
-//   tiny       8 x 8    noise from texel to texel, -0.4375 .. 0.4375
+//   tiny              8 x 8  noise from texel to texel, -0.4375 .. 0.4375
 //   plane         128 x 128  -0.137 everywhere
 //   ramp          128 x 128  -0.42 to 0.42 along i and down again; gradient 0.013
 //   sine_one      128 x 128  one wave along i, -0.4 .. 0.4; gradient 0.020
