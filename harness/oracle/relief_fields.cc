@@ -82,6 +82,37 @@ double Flat(int, int) {
     return -0.125;
 }
 
+double Plane(int, int) {
+    return -0.137;
+}
+
+// Up and down again.
+double Ramp(int i, int) {
+    return -0.42 + 0.84 * (i < kSize / 2 ? i : kSize - i) / (kSize / 2);
+}
+
+template <int kWaves>
+double Sine(int i, int) {
+    return 0.4 * Wave(kWaves * i);
+}
+
+double Ripples(int i, int) {
+    return -0.125 + 0.02 * Wave(4 * i);
+}
+
+// Four caps 48 texels wide and 0.75 high, of spheres.
+double Cap(int i, int j) {
+    constexpr double kTexelsPerHeight = 12.8;
+    constexpr double kFoot = 24 / kTexelsPerHeight;
+    constexpr double kHigh = 0.75;
+    constexpr double kBall = (kFoot * kFoot + kHigh * kHigh) / (2 * kHigh);
+    const double x = (i % 64 - 32) / kTexelsPerHeight;
+    const double y = (j % 64 - 32) / kTexelsPerHeight;
+    const double square = kBall * kBall - x * x - y * y;
+    const double above = square > 0 ? std::sqrt(square) - (kBall - kHigh) : 0;
+    return -0.38 + std::max(above, 0.0);
+}
+
 double Film(int i, int j) {
     return 0.45 + 0.3 * Wave(3 * i + j) * Wave(2 * j + 16) + 0.1 * Wave(5 * i - j + kSize);
 }
@@ -126,6 +157,13 @@ std::span<const HeightField> HeightFields() {
         {"flat", kSize, Flat},
         {"film", kSize, Film},
         {"tiny", kTinySize, Tiny},
+        {"plane", kSize, Plane},
+        {"ramp", kSize, Ramp},
+        {"sine_one", kSize, Sine<1>},
+        {"sine_four", kSize, Sine<4>},
+        {"sine_sixteen", kSize, Sine<16>},
+        {"cap", kSize, Cap},
+        {"ripples", kSize, Ripples},
     }};
     return fields;
 }

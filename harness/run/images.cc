@@ -8,6 +8,7 @@
 #include "image/levels.h"
 #include "image/read.h"
 #include "numeric/number_text.h"
+#include "run/image_shelf.h"
 
 namespace etalon {
 namespace {
@@ -128,9 +129,8 @@ Result<Image> MakeImage(const ImageSource& source, const std::filesystem::path& 
 Status<> AddImages(std::span<const ImageSource> sources, const std::filesystem::path& base,
                    Call& call) {
     for (const ImageSource& source : sources) {
-        ETALON_TRY(image, MakeImage(source, base));
-        const auto added = Add(
-            {source.name, std::make_shared<const Image>(std::move(image)), source.sampling}, call);
+        ETALON_TRY(image, SharedImage(source, base));
+        const auto added = Add({source.name, std::move(image), source.sampling}, call);
         if (!added) {
             return Error{source.place.Text() + added.error().message};
         }

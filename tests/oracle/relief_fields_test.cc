@@ -41,9 +41,11 @@ TEST(ReliefFields, HoldMultiplesOfTheUnitWithinTheBox) {
 }
 
 TEST(ReliefFields, AreAsSteepAsStated) {
-    const std::map<std::string_view, double> stated = {{"smooth", 0.066}, {"bricks", 0.53},
-                                                       {"noise", 0.13},   {"ridges", 1.13},
-                                                       {"steps", 0.11},   {"flat", 0}};
+    const std::map<std::string_view, double> stated = {
+        {"smooth", 0.066},   {"bricks", 0.53},     {"noise", 0.13},        {"ridges", 1.13},
+        {"steps", 0.11},     {"flat", 0},          {"plane", 0},           {"ramp", 0.013},
+        {"sine_one", 0.020}, {"sine_four", 0.078}, {"sine_sixteen", 0.28}, {"cap", 0.075},
+        {"ripples", 0.004}};
     for (const HeightField& field : HeightFields()) {
         const auto found = stated.find(field.name());
         if (found != stated.end()) {
@@ -54,7 +56,8 @@ TEST(ReliefFields, AreAsSteepAsStated) {
 
 TEST(ReliefFields, LevelsLieBetweenTheSamplesOfEqualSteps) {
     for (const HeightField& field : HeightFields()) {
-        if (field.name() == "bricks" || field.name() == "ridges" || field.name() == "steps") {
+        if (field.name() == "bricks" || field.name() == "ridges" || field.name() == "steps" ||
+            field.name() == "plane") {
             for (int i = 0; i < field.size(); ++i) {
                 for (const int steps : {8, 16, 24, 32}) {
                     const double sample = (0.5 - field.Texel(i, 4)) * steps;

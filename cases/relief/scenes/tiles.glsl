@@ -37,4 +37,14 @@ float tile_value(highp sampler2D map, ivec2 size, int tile, vec2 uv)
     return lower + part.y * (upper - lower);
 }
 
+// Trilinear between the slices of a volume over z = -0.5 .. 0.5, a tile each.
+float volume_value(highp sampler2D map, ivec2 size, int slices, vec3 position)
+{
+    float place = clamp((position.z + 0.5) * float(slices) - 0.5, 0.0, float(slices - 1));
+    int lower = min(int(place), slices - 2);
+    float below = tile_value(map, size, lower, position.xy);
+    float above = tile_value(map, size, lower + 1, position.xy);
+    return below + (place - float(lower)) * (above - below);
+}
+
 #endif
