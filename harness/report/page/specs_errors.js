@@ -40,7 +40,8 @@ export function budgetRows(records, device, most) {
     for (const record of records) {
         if (record.device !== device || !record.worst_parts) continue;
         for (const part of kParts) {
-            const ulp = number(record.worst_parts[part]?.ulp ?? 0);
+            const seen = number(record.worst_parts[part]?.ulp ?? 0);
+            const ulp = Number.isNaN(seen) ? Infinity : seen;
             const row = worst.get(record.case) ?? { case: record.case, greatest: 0 };
             row[part] = Math.max(row[part] ?? 0, ulp);
             row.greatest = Math.max(row.greatest, ulp);
@@ -51,7 +52,7 @@ export function budgetRows(records, device, most) {
 }
 
 export function budgetSpec(rows, device, { width, isDark = false }) {
-    const axis = new LogAxis([1 / 4, 1, ...rows.map(row => row.greatest)]);
+    const axis = new LogAxis([1 / 4, 1, ...rows.flatMap(row => kParts.map(part => row[part] ?? 0))]);
     axis.low = 1 / 8;
     axis.hasZero = false;
     const values = rows.flatMap(row => kParts.map(part => ({ case: row.case, part, value: axis.at(Math.max(row[part] ?? 0, axis.low)), says: `${kPartShapes[part]} ${short(row[part] ?? 0)}`, ulp: short(row[part] ?? 0) })));

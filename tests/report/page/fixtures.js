@@ -49,7 +49,7 @@ export function run(cases) {
 }
 
 const accuracy = (worst, isSearch) => ({
-    rows: 1000, judged: 1000, undecided: 0, worst, p999: worst / 2, rms: worst / 9, bits: Math.max(0, -Math.log2(worst)), not_finite: 0,
+    rows: 1000, judged: 1000, undecided: 0, worst, p999: worst / 2, rms: worst / 9, bits: worst > 0 ? Math.max(0, -Math.log2(worst)) : "inf", not_finite: 0,
     ...(isSearch ? { missed: Math.min(1, worst), wrong: worst / 3 } : {}), worst_inputs: [["x", value(0.25)]], repeat: "etalon run relief/search --at x=0x1p-2",
 });
 
