@@ -40,11 +40,18 @@ export function verdictTable(run) {
 }
 
 export function budgetCharts(run) {
+    const words = kVerdicts.map(({ word }) => word).filter(word => run.records.some(record => wordOf(record) === word && budgetRows([record], record.device, 1).length)).reverse();
     const devices = run.devices.map(({ name }) => name).filter(name => budgetRows(run.records, name, 1).length);
     if (!devices.length) return null;
-    const state = { device: devices[0], most: "12" };
-    return el("div", {}, chosen(state, [["device", "Device", devices.map(name => [name, name])], ["most", "Cases", [["12", "12"], ["40", "40"]]]],
-        ({ device, most }) => [chart(size => budgetSpec(budgetRows(run.records, device, Number(most)), device, size), `the greatest parts of errors on ${device}`)]));
+    const topicOf = record => record.case.slice(0, record.case.indexOf("/") + 1);
+    const topics = [...new Set(run.records.map(topicOf))].sort();
+    const state = { device: devices[0], most: "12", word: words.find(word => rankOf(word) > rankOf("known")) ?? (words.includes("pass") ? "pass" : words[0]), topic: "" };
+    const controls = [["device", "Device", devices.map(name => [name, name])], ["topic", "Folder", [["", "all"], ...topics.filter(Boolean).map(topic => [topic, topic])]],
+        ["word", "Verdict", words.map(word => [word, word])], ["most", "Cases", [["12", "12"], ["40", "40"]]]];
+    return el("div", {}, chosen(state, controls, ({ device, word, most, topic }) => {
+        const rows = budgetRows(run.records.filter(record => wordOf(record) === word && (!topic || topicOf(record) === topic)), device, Number(most));
+        return rows.length ? [chart(size => budgetSpec(rows, device, size), `the greatest parts of errors on ${device}`)] : [el("p", {}, "No such case has an error here.")];
+    }));
 }
 
 function pointsTable(family, scene) {

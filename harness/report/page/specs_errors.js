@@ -34,21 +34,22 @@ export const kParts = ["method", "rounding", "driver"];
 const kPartColours = ["#0072b2", "#e69f00", "#009e73"];
 const kPartShapes = { method: "●", rounding: "■", driver: "▲" };
 
-// The cases whose greatest part of an error is greatest on a device, for all their recipes.
+// The cases whose greatest finite part of an error is greatest on a device, over all their recipes.
+// Those with infinite parts alone come last: they would tell nothing of the others' sizes.
 export function budgetRows(records, device, most) {
     const worst = new Map();
     for (const record of records) {
         if (record.device !== device || !record.worst_parts) continue;
+        const row = worst.get(record.case) ?? { case: record.case, greatest: 0 };
+        worst.set(record.case, row);
         for (const part of kParts) {
             const seen = number(record.worst_parts[part]?.ulp ?? 0);
             const ulp = Number.isNaN(seen) ? Infinity : seen;
-            const row = worst.get(record.case) ?? { case: record.case, greatest: 0 };
             row[part] = Math.max(row[part] ?? 0, ulp);
-            row.greatest = Math.max(row.greatest, ulp);
-            worst.set(record.case, row);
+            if (Number.isFinite(ulp)) row.greatest = Math.max(row.greatest, ulp);
         }
     }
-    return [...worst.values()].filter(row => row.greatest > 0).sort((a, b) => b.greatest - a.greatest).slice(0, most);
+    return [...worst.values()].filter(row => kParts.some(part => row[part] > 0)).sort((a, b) => b.greatest - a.greatest).slice(0, most);
 }
 
 export function budgetSpec(rows, device, { width, isDark = false }) {

@@ -98,7 +98,7 @@ function labels(front, rows, { x, y }, width, height) {
     const shown = [];
     for (const row of front) {
         const at = [place(x, row.x, width), height - place(y, row.y, height)];
-        const length = 5.8 * row.label.length;
+        const length = 5.5 * row.label.length;
         for (const [align, left, dy] of [["left", at[0] + 9, -9], ["left", at[0] + 9, 12], ["right", at[0] - 9 - length, -9], ["right", at[0] - 9 - length, 12]]) {
             const box = { left, right: left + length, top: at[1] + dy - 6, bottom: at[1] + dy + 6 };
             const isFree = box.left >= 0 && box.right <= width && box.top >= 0 && box.bottom <= height &&
@@ -143,7 +143,7 @@ export function familySpec(chart, choice, device, { width, height = 320, isDark 
     const names = labels(front, rows, { x, y }, width, height);
     const xOf = quantity("x", x, chart.search ? null : costTitle(chart, choice.cost));
     const yOf = quantity("y", y, errorTitle(chart, choice.error));
-    const colour = { field: "member", type: "nominal", sort: members, scale: { domain: members }, legend: legendOf(width) };
+    const colour = { field: "member", type: "nominal", sort: members, scale: { domain: members }, legend: { ...legendOf(width), values: members.filter(member => rows.some(row => row.member === member)) } };
     const dimmed = { condition: { test: "datum.front", value: 1 }, value: 0.4 };
     const layer = [
         { data: { values: steps }, mark: { type: "line", interpolate: "step-after", strokeWidth: 1.5, color: ink(isDark), opacity: 0.55 },

@@ -16,7 +16,7 @@ export const kMarks = {
     undecided: { shape: "stroke", size: 0.6, filled: false, hasError: false, says: "undecided: the truth is not known well enough" },
     crash: { shape: "triangle-down", size: 0.7, filled: true, hasError: false, says: "crash" },
 };
-const kFlat = { missed: "#f0b6a0", wrong: "#d98cb8", nan: "#8f8f8f", infinity: "#b5b5b5", undecided: "#ececec", crash: "#555555" };
+const kFlat = { missed: "#f0b6a0", wrong: "#d98cb8", nan: "#8f8f8f", infinity: "#b5b5b5", undecided: "#ececec", crash: "#b08d6e" };
 const kPlainAxis = {
     grid: false, tickCount: 6, labelOverlap: true,
     labelExpr: "datum.value !== 0 && (abs(datum.value) < 1e-3 || abs(datum.value) >= 1e5) ? format(datum.value, '.0e') : format(datum.value, '~r')",
@@ -62,6 +62,12 @@ export function colourAxis(map, panel) {
 
 const quantized = value => 10 ** (Math.round(Math.log10(value) * kSteps) / kSteps);
 
+// The end of a cell, a little into the next one, which is drawn over it: no gaps between pixels.
+function past(edges, index) {
+    const reach = index + 2 < edges.length ? 0.3 * (edges[index + 1] - edges[index]) : 0;
+    return edges[index + 1] + reach;
+}
+
 // Rectangles. `merge` joins neighbours of one look along x, for pictures on which nobody hovers.
 function cellsOf(map, device, panel, axis, merge) {
     const { values, marks } = panelOf(map, device, panel);
@@ -75,11 +81,10 @@ function cellsOf(map, device, panel, axis, merge) {
             const hasError = kMarks[mark]?.hasError ?? false;
             const value = hasError ? quantized(Math.max(axis.low, Math.min(axis.high, axis.at(values[index])))) : null;
             if (merge && last && last.flat === (hasError ? null : mark) && last.value === value) {
-                last.x2 = xs[ix + 1];
+                last.x2 = past(xs, ix);
                 continue;
             }
-            // Beyond its own end, where the next one is drawn over it: no gaps by rounding to pixels.
-            last = { x1: xs[ix], x2: xs[ix + 1], y1: ys[iy], y2: iy + 1 < map.y.values.length ? ys[iy + 1] + 0.3 * (ys[iy + 1] - ys[iy]) : ys[iy + 1], value, flat: hasError ? null : mark };
+            last = { x1: xs[ix], x2: past(xs, ix), y1: ys[iy], y2: past(ys, iy), value, flat: hasError ? null : mark };
             cells.push(last);
             if (merge) continue;
             last.at = `${map.x.name}=${short(map.x.values[ix])}, ${map.y.name}=${short(map.y.values[iy])}`;
@@ -90,17 +95,21 @@ function cellsOf(map, device, panel, axis, merge) {
             if (map.prediction) last.theory = ["open", "holds", "fails"][map.prediction.cells[index]];
         }
     }
-    const end = Math.max(...xs);
-    for (const cell of cells) if (cell.x2 < end) cell.x2 += 0.3 * (cell.x2 - cell.x1) / (merge ? 40 : 1);
     return cells;
 }
 
-function symbolsOf(map, device, axis) {
+// Of cells in which a sign would be too small every second one has a sign, as on a chessboard, and
+// those that stand alone.
+function symbolsOf(map, device, axis, isSparse) {
+    const width = map.x.values.length;
     const middle = Math.sqrt(axis.low * axis.high);
-    return device.mark.map((index, cell) => {
+    const { mark: marks } = device;
+    return marks.map((index, cell) => {
         const mark = map.marks[index];
         if (!kMarks[mark]?.shape) return null;
-        const [ix, iy] = [cell % map.x.values.length, Math.floor(cell / map.x.values.length)];
+        const [ix, iy] = [cell % width, Math.floor(cell / width)];
+        const hasLike = (ix > 0 && marks[cell - 1] === index) || (ix + 1 < width && marks[cell + 1] === index) || marks[cell - width] === index || marks[cell + width] === index;
+        if (isSparse && (ix + iy) % 2 === 1 && hasLike) return null;
         const isDark = kMarks[mark].hasError && axis.at(device.error[cell]) > middle;
         return { x: number(map.x.values[ix]), y: number(map.y.values[iy]), mark, isDark };
     }).filter(symbol => symbol);
@@ -204,7 +213,10 @@ export function mapSpec(map, panel, device, { width, isDark = false, merge = fal
             encoding: { ...place, tooltip, fill: { field: "flat", type: "nominal", legend: null, scale: { domain: flats, range: flats.map(mark => kFlat[mark]) } } },
         });
     }
-    if (panel === "error") layer.push(...symbolLayers(symbolsOf(map, device, axis), { x, y }, Math.min(width / columns, height / rows)));
+    if (panel === "error") {
+        const side = Math.min(width / columns, height / rows);
+        layer.push(...symbolLayers(symbolsOf(map, device, axis, side < 9), { x, y }, side < 9 ? 1.5 * side : side));
+    }
     if (map.prediction) layer.push(...theoryLayers(map, x, y));
     return { title: { text: panel === "error" ? device.device : titleOf(map, panel) }, width, height, layer,
         resolve: { scale: { color: "independent", fill: "independent" } }, ...(isDark ? { view: { fill: "#ffffff" } } : {}) };
