@@ -3,9 +3,18 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+# What is installed, and what that provides: other builds of nodejs bring npm along.
+declare -A have
+while read -r status name provided; do
+    if [ "$status" = installed ]; then
+        for each in "$name" $(sed 's/([^)]*)//g; s/,/ /g' <<<"$provided"); do
+            have[$each]=1
+        done
+    fi
+done < <(dpkg-query -W -f='${db:Status-Status} ${Package} ${Provides}\n')
 missing=()
 while read -r package; do
-    if [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then
+    if [ -z "${have[$package]:-}" ]; then
         missing+=("$package")
     fi
 done < <(sed 's/#.*//' ci/packages.txt | awk 'NF { print $1 }')

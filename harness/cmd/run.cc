@@ -7,6 +7,7 @@
 #include "base/format.h"
 #include "cmd/command.h"
 #include "cmd/options.h"
+#include "cmd/report_option.h"
 #include "report/catalogue.h"
 #include "report/finding.h"
 #include "report/json.h"
@@ -93,6 +94,7 @@ class RunCommand : public Command {
     std::string root_;
     std::string depth_ = "quick";
     DeviceOptions devices_;
+    ReportOption report_;
 };
 
 RunCommand::RunCommand(CLI::App& app, std::vector<std::string> gtest_arguments)
@@ -120,6 +122,7 @@ RunCommand::RunCommand(CLI::App& app, std::vector<std::string> gtest_arguments)
                      "write what no specification allows to FILE, as Markdown, and for each "
                      "finding a file that other tools run, into the folder reproducers beside it")
         ->type_name("FILE.md");
+    report_.AddTo(*word_);
     word_->add_option("--slowest", reports_.slowest, "name the N cases that took longest")
         ->check(Within(1, 1e6))
         ->type_name("N");
@@ -153,6 +156,9 @@ int RunCommand::Run() {
     choice_.devices = *devices;
     choice_.catalogue = !reports_.catalogue.empty();
     choice_.findings = !reports_.findings.empty();
+    if (auto usable = report_.Check(); !usable) {
+        return Complain(usable.error().message);
+    }
     const Result<RunOutcome> outcome = RunConformance(choice_);
     return outcome ? Report(*outcome) : Complain(outcome.error().message);
 }
@@ -178,6 +184,11 @@ int RunCommand::Report(const RunOutcome& outcome) const {
         if (auto written = WriteFile(reports_.json, RunJson(outcome.record)); !written) {
             return Complain("--json: " + written.error().message);
         }
+    }
+    if (auto added =
+            report_.Add(ReportSection::kRun, "", [&outcome] { return RunJson(outcome.record); });
+        !added) {
+        return Complain(added.error().message);
     }
     if (!outcome.report_error.empty()) {
         return Complain(outcome.report_error);

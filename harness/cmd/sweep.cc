@@ -8,6 +8,7 @@
 #include "base/file.h"
 #include "cmd/command.h"
 #include "cmd/options.h"
+#include "cmd/report_option.h"
 
 namespace etalon {
 namespace {
@@ -43,6 +44,7 @@ class SweepCommand : public Command {
     bool json_ = false;
     std::vector<std::string> merged_;
     DeviceOptions devices_;
+    ReportOption report_;
 };
 
 SweepCommand::SweepCommand(CLI::App& app)
@@ -88,12 +90,14 @@ SweepCommand::SweepCommand(CLI::App& app)
         ->check(Within(1, 1024))
         ->type_name("N");
     word_->add_flag("--json", json_, "as JSON");
+    report_.AddTo(*word_);
     AddRoot(*word_, root_);
     devices_.AddTo(*word_);
     pattern->excludes(merge);
 }
 
 Result<SweepRecord> SweepCommand::Find() {
+    ETALON_TRY_STEP(report_.Check());
     if (!merged_.empty()) {
         return MergeSweeps({merged_.begin(), merged_.end()});
     }
@@ -126,6 +130,11 @@ int SweepCommand::Run() {
         return Complain(record.error().message);
     }
     std::cout << (json_ ? SweepJson(*record) : SweepText(*record));
+    if (auto added = report_.Add(ReportSection::kSweeps, SweepKey(*record),
+                                 [&record] { return SweepJson(*record); });
+        !added) {
+        return Complain(added.error().message);
+    }
     return record->verdict == Verdict::kPass ? 0 : kVerdict;
 }
 

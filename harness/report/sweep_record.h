@@ -53,4 +53,7 @@ struct SweepRecord {
 std::string SweepText(const SweepRecord& sweep);
 std::string SweepJson(const SweepRecord& sweep);
 
+// What tells it from other sweeps in a report: "CASE over x=0..1 at n1=1 on DEVICE (RECIPE), 1/4".
+std::string SweepKey(const SweepRecord& sweep);
+
 }  // namespace etalon
