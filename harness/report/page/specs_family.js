@@ -35,11 +35,14 @@ export function offered(chart) {
         costs: kCosts.filter(([kind]) => chart.points.some(point => number(costOf(point, kind)?.[0] ?? NaN) >= 0 &&
             (kind !== "fetches" || point.counts.mean.fetch > 0))),
         hasErrors: chart.points.some(point => point.accuracy),
+        devices: [...new Set(chart.points.filter(point => point.accuracy || point.cost || point.counts).map(point => point.device))],
         scenes: [...new Set(chart.points.map(point => point.scene))],
     };
 }
 
 const settingsText = settings => Object.entries(settings).map(([name, value]) => `${name}=${value}`).join(", ");
+
+export const remarkOf = point => [point.reason, point.refused ? "refused by what the family accepts" : "", point.front ? "on the front" : ""].filter(Boolean).join("; ");
 
 function rowOf(point, choice) {
     const [cost, low, high] = costOf(point, choice.cost);
@@ -47,6 +50,7 @@ function rowOf(point, choice) {
     const row = {
         label: point.label, member: point.member, settings: settingsText(point.settings), device: point.device,
         cost: number(cost), low: number(low ?? cost), high: number(high ?? cost), front: point.front,
+        refused: point.refused ?? false, remark: remarkOf(point),
         time: point.cost ? `${short(point.cost.nanoseconds)} ns (${short(point.cost.low)} to ${short(point.cost.high)})` : "",
         ratio: point.cost ? `${short(point.cost.ratio)}×` : "",
         operations: point.counts ? `${short(point.counts.mean.total)}, ${short(point.counts.mean.fetch)} image reads` : "",
@@ -62,12 +66,14 @@ function rowOf(point, choice) {
     return row;
 }
 
-// Marks the rows that no other row beats in both. The commands mark the front of time against the
-// worst error themselves.
-function markFront(rows, choice) {
-    if (choice.error === "worst" && (choice.cost === "time" || choice.cost === "ratio")) return;
+// Marks the rows that no other row beats in both. The front of the worst error against the chart's
+// own cost is marked already.
+function markFront(chart, rows, choice) {
+    const own = chart.cost_by === "operations" ? ["counts"] : ["time", "ratio"];
+    if (choice.error === "worst" && own.includes(choice.cost)) return;
+    const candidates = rows.filter(row => !row.refused && Number.isFinite(row.error));
     for (const row of rows) {
-        row.front = Number.isFinite(row.error) && !rows.some(other => other.cost <= row.cost &&
+        row.front = candidates.includes(row) && !candidates.some(other => other.cost <= row.cost &&
             other.error <= row.error && (other.cost < row.cost || other.error < row.error));
     }
 }
@@ -75,11 +81,10 @@ function markFront(rows, choice) {
 // The rows of a device, and its axes: errors, ratios and counts have one scale on all devices, times
 // have one on each.
 export function familyRows(chart, choice, device) {
-    const points = chart.points.filter(point => point.scene === choice.scene && !point.reason &&
-        point.accuracy && costOf(point, choice.cost));
+    const points = chart.points.filter(point => point.scene === choice.scene && point.accuracy && costOf(point, choice.cost));
     const all = points.map(point => rowOf(point, choice));
     const rows = all.filter(row => row.device === device);
-    markFront(rows, choice);
+    markFront(chart, rows, choice);
     const x = new LogAxis((choice.cost === "time" ? rows : all).map(row => row.cost));
     const y = new LogAxis(all.flatMap(row => [row.error, row.worst]));
     for (const row of rows) {
@@ -120,7 +125,7 @@ function tooltip(chart) {
         { field: "operations", title: "operations" },
         { field: "errors", title: "worst · 99.9 % · rms" }, { field: "bits", title: "bits" },
         ...(chart.search ? [{ field: "shares", title: "missed · wrong" }] : []),
-        { field: "device", title: "device" },
+        { field: "device", title: "device" }, { field: "remark", title: "remark" },
     ];
 }
 
@@ -203,8 +208,7 @@ function sharesSpec(chart, choice, rows, x, width) {
 
 // A family without truths: what each point costs, beside what its source says.
 export function costSpec(chart, choice, device, { width, isDark = false }) {
-    const points = chart.points.filter(point => point.scene === choice.scene && point.device === device && !point.reason &&
-        costOf(point, choice.cost));
+    const points = chart.points.filter(point => point.scene === choice.scene && point.device === device && costOf(point, choice.cost));
     const hasPublished = choice.cost === "ratio" && points.some(point => number(point.published_ratio ?? NaN) > 0);
     const values = points.flatMap(point => {
         const row = rowOf(point, choice);
