@@ -1,7 +1,7 @@
 // Charts of a family: cost on x, error on y, one for each device.
 
 import { LogAxis, number, percent, short } from "./numbers.js";
-import { ink, paper } from "./theme.js";
+import { colours, ink, kShapes, paper } from "./theme.js";
 
 export const kErrors = [["worst", "worst"], ["p999", "99.9th percentile"], ["rms", "root mean square"]];
 export const kCosts = [["time", "time"], ["ratio", "time, as a ratio"], ["counts", "operations"], ["fetches", "image reads"]];
@@ -29,6 +29,12 @@ export function errorTitle(chart, kind) {
     return `${kErrors.find(([name]) => name === kind)[1]} error${unit ? ", " + unit : ""}`;
 }
 
+// The sum over all scenes is one of them only where there are several.
+function scenesOf(chart) {
+    const scenes = [...new Set(chart.points.map(point => point.scene))];
+    return scenes.length === 2 && scenes.includes("all") ? scenes.filter(scene => scene !== "all") : scenes;
+}
+
 // The costs that any point of the family has, and whether any has errors.
 export function offered(chart) {
     return {
@@ -36,7 +42,7 @@ export function offered(chart) {
             (kind !== "fetches" || point.counts.mean.fetch > 0))),
         hasErrors: chart.points.some(point => point.accuracy),
         devices: [...new Set(chart.points.filter(point => point.accuracy || point.cost || point.counts).map(point => point.device))],
-        scenes: [...new Set(chart.points.map(point => point.scene))],
+        scenes: scenesOf(chart),
     };
 }
 
@@ -148,7 +154,11 @@ export function familySpec(chart, choice, device, { width, height = 320, isDark 
     const names = labels(front, rows, { x, y }, width, height);
     const xOf = quantity("x", x, chart.search ? null : costTitle(chart, choice.cost));
     const yOf = quantity("y", y, errorTitle(chart, choice.error));
-    const colour = { field: "member", type: "nominal", sort: members, scale: { domain: members }, legend: { ...legendOf(width), values: members.filter(member => rows.some(row => row.member === member)) } };
+    const looks = range => ({ domain: members, range });
+    // Beyond eight members colours come again, with other shapes.
+    const shapes = looks(members.map((_, index) => kShapes[(index + 3 * Math.floor(index / kShapes.length)) % kShapes.length]));
+    const hues = looks(members.map((_, index) => colours(isDark)[index % kShapes.length]));
+    const member = { field: "member", type: "nominal", sort: members, legend: { ...legendOf(width), values: members.filter(member => rows.some(row => row.member === member)) } };
     const dimmed = { condition: { test: "datum.front", value: 1 }, value: 0.4 };
     const layer = [
         { data: { values: steps }, mark: { type: "line", interpolate: "step-after", strokeWidth: 1.5, color: ink(isDark), opacity: 0.55 },
@@ -162,7 +172,7 @@ export function familySpec(chart, choice, device, { width, height = 320, isDark 
     layer.push({
         mark: { type: "point", size: 90, strokeWidth: 1.6 },
         encoding: {
-            x: xOf, y: yOf, stroke: colour, fill: colour, shape: colour, strokeOpacity: { condition: { test: "datum.front", value: 1 }, value: 0.55 },
+            x: xOf, y: yOf, stroke: { ...member, scale: hues }, fill: { ...member, scale: hues }, shape: { ...member, scale: shapes }, strokeOpacity: { condition: { test: "datum.front", value: 1 }, value: 0.55 },
             fillOpacity: { condition: { test: "datum.front", value: 1 }, value: 0 },
         },
     });
