@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "cmd/command.h"
 #include "cmd/options.h"
+#include "cmd/report_option.h"
 #include "run/case_choice.h"
 
 namespace etalon {
@@ -28,6 +29,7 @@ class ChartCommand : public Command {
     bool json_ = false;
     bool list_ = false;
     DeviceOptions devices_;
+    ReportOption report_;
 };
 
 ChartCommand::ChartCommand(CLI::App& app)
@@ -64,6 +66,7 @@ ChartCommand::ChartCommand(CLI::App& app)
     word_->add_flag("--scenes", scenes_, "a table for each scene, before that for all together");
     word_->add_flag("--json", json_, "as JSON, with each scene");
     word_->add_flag("--list", list_, "the families below the root, with their quantity");
+    report_.AddTo(*word_);
     AddRoot(*word_, root_);
     devices_.AddTo(*word_);
 }
@@ -98,6 +101,7 @@ Result<ChartRecord> ChartCommand::Make() {
     if (choice_.name.empty()) {
         return Error{"chart: no family is named; `etalon chart --list` shows them"};
     }
+    ETALON_TRY_STEP(report_.Check());
     std::filesystem::path root;
     if (!root_.empty()) {
         ETALON_TRY(given, RootOf(root_));
@@ -125,6 +129,11 @@ int ChartCommand::Run() {
         return Complain(chart.error().message);
     }
     std::cout << (json_ ? ChartJson(*chart) : ChartText(*chart, scenes_));
+    if (auto added = report_.Add(ReportSection::kCharts, chart->family,
+                                 [&chart] { return ChartJson(*chart); });
+        !added) {
+        return Complain(added.error().message);
+    }
     const bool has_failed = std::any_of(chart->points.begin(), chart->points.end(),
                                         [](const ChartPoint& point) { return point.failed; });
     return has_failed ? kVerdict : 0;

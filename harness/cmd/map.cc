@@ -3,8 +3,10 @@
 #include <iostream>
 
 #include "base/file.h"
+#include "base/format.h"
 #include "cmd/command.h"
 #include "cmd/options.h"
+#include "cmd/report_option.h"
 
 namespace etalon {
 namespace {
@@ -22,6 +24,7 @@ class MapCommand : public Command {
     std::string root_;
     bool json_ = false;
     DeviceOptions devices_;
+    ReportOption report_;
 };
 
 MapCommand::MapCommand(CLI::App& app)
@@ -56,11 +59,13 @@ MapCommand::MapCommand(CLI::App& app)
         ->type_name("NAME");
     word_->add_option("--recipe", choice_.recipe, "recipe; default: each device's own");
     word_->add_flag("--json", json_, "as JSON");
+    report_.AddTo(*word_);
     AddRoot(*word_, root_);
     devices_.AddTo(*word_, "the first found of vulkan:llvmpipe, osmesa:llvmpipe and cpu");
 }
 
 Result<MapRecord> MapCommand::Find() {
+    ETALON_TRY_STEP(report_.Check());
     ETALON_TRY(root, RootOf(root_));
     choice_.root = root;
     if (!root_.empty()) {
@@ -80,6 +85,12 @@ int MapCommand::Run() {
         return Complain(map.error().message);
     }
     std::cout << (json_ ? MapJson(*map) : MapText(*map));
+    if (auto added = report_.Add(ReportSection::kMaps,
+                                 format("{} over {},{}", map->case_path, map->x.name, map->y.name),
+                                 [&map] { return MapJson(*map); });
+        !added) {
+        return Complain(added.error().message);
+    }
     if (map->prediction && map->prediction->contradiction) {
         std::cerr << ContradictionText(*map);
     }

@@ -2,28 +2,28 @@
 
 // Of embed.S.
 extern "C" {
-extern const char etalon_page_html[], etalon_page_html_end[];
-extern const char etalon_page_css[], etalon_page_css_end[];
-extern const char etalon_page_js[], etalon_page_js_end[];
-extern const char etalon_page_schema[], etalon_page_schema_end[];
+extern const char kEtalonPageHtml[], kEtalonPageHtmlEnd[];
+extern const char kEtalonPageStyle[], kEtalonPageStyleEnd[];
+extern const char kEtalonPageScript[], kEtalonPageScriptEnd[];
+extern const char kEtalonPageSchema[], kEtalonPageSchemaEnd[];
 }
 
 namespace etalon {
 
 std::string_view PageHtml() {
-    return {etalon_page_html, etalon_page_html_end};
+    return {kEtalonPageHtml, kEtalonPageHtmlEnd};
 }
 
 std::string_view PageStyle() {
-    return {etalon_page_css, etalon_page_css_end};
+    return {kEtalonPageStyle, kEtalonPageStyleEnd};
 }
 
 std::string_view PageScript() {
-    return {etalon_page_js, etalon_page_js_end};
+    return {kEtalonPageScript, kEtalonPageScriptEnd};
 }
 
 std::string_view PageSchema() {
-    return {etalon_page_schema, etalon_page_schema_end};
+    return {kEtalonPageSchema, kEtalonPageSchemaEnd};
 }
 
 }  // namespace etalon

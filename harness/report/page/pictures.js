@@ -4,26 +4,24 @@ import { View, parse } from "vega";
 import { compile } from "vega-lite";
 import { budgetRows, budgetSpec, sweepSpec } from "./specs_errors.js";
 import { costSpec, familySpec, offered } from "./specs_family.js";
-import { kMarks, kPanels, mapSpec, marksSeen } from "./specs_map.js";
+import { hasCells, kMarks, kPanels, mapSpec, marksSeen } from "./specs_map.js";
 import { theme } from "./theme.js";
 
 const kWidth = 460;
-
-const devicesOf = chart => [...new Set(chart.points.filter(point => !point.reason).map(point => point.device))];
 
 function side(specs, title, subtitle, more = {}) {
     return { title: { text: title, subtitle, fontSize: 15, offset: 12 }, columns: 2, spacing: 28, concat: specs, ...more };
 }
 
 function familyPictures(chart, name) {
-    const { costs, hasErrors, scenes } = offered(chart);
+    const { costs, devices, hasErrors, scenes } = offered(chart);
     const pictures = {};
     for (const scene of scenes) {
         for (const [cost, says] of costs) {
             if (cost === (hasErrors ? "ratio" : "time") && costs.length > 1) continue;
             const choice = { scene, cost, error: "worst" };
             const make = hasErrors ? familySpec : costSpec;
-            const specs = devicesOf(chart).map(device => make(chart, choice, device, { width: kWidth }));
+            const specs = devices.map(device => make(chart, choice, device, { width: kWidth }));
             const suffix = (scene ? `-${scene}` : "") + `-${cost}`;
             const subtitle = [scene && scene !== "all" ? `scene: ${scene}` : scene === "all" ? "all scenes" : "", hasErrors ? `worst error against ${says}` : says].filter(Boolean).join("; ");
             pictures[`chart-${name}${suffix}`] = side(specs, chart.quantity, subtitle, hasErrors ? { resolve: { scale: { x: "independent", y: "independent" } } } : {});
@@ -33,7 +31,7 @@ function familyPictures(chart, name) {
 }
 
 function mapPictures(map, name) {
-    const shown = map.devices.filter(device => !device.reason);
+    const shown = map.devices.filter(hasCells);
     const says = marksSeen(map).filter(mark => kMarks[mark]?.shape).map(mark => `${glyph(mark)} ${mark}`).join("   ");
     const title = `${map.case}: ${map.output}${map.fixed ? ` at ${map.fixed}` : ""}`;
     const theory = map.prediction ? `theory: ${map.prediction.because}` : "";

@@ -6,8 +6,8 @@ import { count, number, percent, short } from "./numbers.js";
 import { glyph } from "./pictures.js";
 import { inputsOf, observation } from "./record.js";
 import { budgetRows, budgetSpec, sweepSpec } from "./specs_errors.js";
-import { costSpec, familySpec, kErrors, offered } from "./specs_family.js";
-import { kMarks, kPanels, mapSpec, marksSeen } from "./specs_map.js";
+import { costSpec, familySpec, kErrors, offered, remarkOf } from "./specs_family.js";
+import { hasCells, kMarks, kPanels, mapSpec, marksSeen } from "./specs_map.js";
 import { kVerdicts, rankOf, usedText, wordOf } from "./verdicts.js";
 
 // Charts with their controls: `draw(state)` gives the elements for what is chosen.
@@ -58,15 +58,14 @@ function pointsTable(family, scene) {
     const points = family.points.filter(point => point.scene === scene);
     const has = test => points.some(test);
     const columns = [
-        ["method", point => point.label], ["device", point => point.device], ["front", point => (point.front ? "● on it" : ""), point => point.front],
-        ["worst", point => short(point.accuracy.worst), point => point.accuracy], ["99.9 %", point => short(point.accuracy.p999), point => point.accuracy],
+        ["method", point => point.label], ["device", point => point.device], ["worst", point => short(point.accuracy.worst), point => point.accuracy], ["99.9 %", point => short(point.accuracy.p999), point => point.accuracy],
         ["rms", point => short(point.accuracy.rms), point => point.accuracy], ["bits", point => short(point.accuracy.bits), point => point.accuracy],
         ["missed", point => percent(point.accuracy.missed), point => family.search && point.accuracy], ["wrong", point => percent(point.accuracy.wrong), point => family.search && point.accuracy],
         ["ns", point => `${short(point.cost.nanoseconds)} (${short(point.cost.low)} to ${short(point.cost.high)})`, point => point.cost],
         ["ratio", point => `${short(point.cost.ratio)}×`, point => point.cost && point.cost.ratio !== null], ["published", point => `${short(point.published)}${point.published_ratio !== undefined ? ` (${short(point.published_ratio)}×)` : ""}`, point => point.published !== undefined && point.published !== null],
         ["operations", point => short(point.counts.mean.total), point => point.counts], ["image reads", point => short(point.counts.mean.fetch), point => point.counts],
         ["worst input, and how to repeat it", point => el("span", {}, inputsOf(point.accuracy.worst_inputs), command(point.accuracy.repeat)), point => point.accuracy?.repeat],
-        ["remark", point => point.reason, point => point.reason],
+        ["remark", remarkOf, remarkOf],
     ].filter(([, , test]) => !test || has(test));
     const rows = points.map(point => columns.map(([, text, test]) => (!test || test(point) ? text(point) : "")));
     return table(columns.map(([name]) => name), rows, { class: "numbers", "aria-label": `all points of ${family.family}` });
@@ -81,20 +80,21 @@ function boundsTable(family, scene) {
             const found = bounds.find(bound => bound.text === text && bound.by === by && bound.device === device);
             const point = found && found.point !== null ? family.points[found.point] : null;
             if (!point) return el("span", { class: "soft" }, "none");
-            return `${point.label}${point.cost ? `: ${short(point.cost.nanoseconds)} ns` : ""}`;
+            const byCounts = family.cost_by === "operations" || !point.cost;
+            return `${point.label}: ${byCounts ? `${short(point.counts?.mean.total ?? NaN)} operations` : `${short(point.cost.nanoseconds)} ns`}`;
         })]));
     return [el("h4", {}, "The cheapest that holds a bound"), table(["error at most", "by", ...devices], rows, { class: "words", "aria-label": "bounds" })];
 }
 
 export function familyArticle(family) {
-    const { costs, hasErrors, scenes } = offered(family);
-    const devices = [...new Set(family.points.filter(point => !point.reason).map(point => point.device))];
+    const { costs, devices, hasErrors, scenes } = offered(family);
     const state = { scene: scenes.includes("all") ? "all" : scenes[0], error: "worst", cost: costs.some(([kind]) => kind === "ratio") && !hasErrors ? "ratio" : costs[0]?.[0] };
     const make = hasErrors ? familySpec : costSpec;
     const controls = [["scene", "Scene", scenes.map(scene => [scene, sceneName(scene)])],
         ...(hasErrors ? [["error", "Error", kErrors]] : []), ["cost", "Cost", costs]];
     return el("article", { id: `chart-${family.family}` }, el("h3", {}, family.quantity, " ", el("span", { class: "path soft" }, family.family)),
         el("p", {}, family.description),
+        family.at ? el("p", { class: "soft" }, `At one input: ${family.at}.`) : null,
         family.published_unit ? el("p", { class: "soft" }, `Published figures: ${family.published_unit}.`) : null,
         hasErrors ? el("p", { class: "soft" }, "Filled points joined by a line are the front: none is both cheaper and more accurate. Hollow, faint points are dominated. Where an average is shown, a dash marks the worst.") : null,
         chosen(state, controls, choice_ => [
@@ -110,14 +110,14 @@ function agreementText({ device, safe, safe_held, fails, failed }) {
 }
 
 export function mapArticle(map, key) {
-    const shown = map.devices.filter(device => !device.reason);
+    const shown = map.devices.filter(hasCells);
     const state = { panel: "error" };
     const panels = kPanels.filter(([panel]) => panel === "error" || map[panel]);
     const legend = marksSeen(map).map(mark => el("span", {}, el("b", {}, glyph(mark) || "▒"), ` ${kMarks[mark]?.says ?? mark}`));
     return el("article", { id: `map-${key}` }, el("h3", {}, el("span", { class: "path" }, map.case), ` over ${map.x.name} and ${map.y.name}`),
         map.description ? el("p", {}, map.description) : null,
         el("p", { class: "soft" }, `Output ${map.output}, by ${map.tolerance}${map.fixed ? `; the other inputs ${map.fixed}` : ""}.`),
-        map.prediction ? el("p", {}, `Theory: ${map.prediction.because} `, el("span", { class: "soft" }, [map.prediction.fails && `Fails where ${map.prediction.fails} (solid line). `, map.prediction.safe && `Holds where ${map.prediction.safe} (dashed line).`].filter(Boolean).join(""))) : null,
+        map.prediction ? el("p", {}, `Theory: ${map.prediction.because.replace(/\.?$/, ".")} `, el("span", { class: "soft" }, [map.prediction.fails && `Fails where ${map.prediction.fails} (solid line). `, map.prediction.safe && `Holds where ${map.prediction.safe} (dashed line).`].filter(Boolean).join(""))) : null,
         ...chosen(state, [["panel", "Show", panels]], ({ panel }) => [
             panel === "error" ? el("p", { class: "legend" }, legend) : null,
             el("div", { class: "facets" }, (panel === "error" ? shown : shown.slice(0, 1)).map(device =>

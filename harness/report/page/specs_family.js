@@ -1,7 +1,7 @@
 // Charts of a family: cost on x, error on y, one for each device.
 
 import { LogAxis, number, percent, short } from "./numbers.js";
-import { ink, paper } from "./theme.js";
+import { colours, ink, kShapes, paper } from "./theme.js";
 
 export const kErrors = [["worst", "worst"], ["p999", "99.9th percentile"], ["rms", "root mean square"]];
 export const kCosts = [["time", "time"], ["ratio", "time, as a ratio"], ["counts", "operations"], ["fetches", "image reads"]];
@@ -29,17 +29,26 @@ export function errorTitle(chart, kind) {
     return `${kErrors.find(([name]) => name === kind)[1]} error${unit ? ", " + unit : ""}`;
 }
 
+// The sum over all scenes is one of them only where there are several.
+function scenesOf(chart) {
+    const scenes = [...new Set(chart.points.map(point => point.scene))];
+    return scenes.length === 2 && scenes.includes("all") ? scenes.filter(scene => scene !== "all") : scenes;
+}
+
 // The costs that any point of the family has, and whether any has errors.
 export function offered(chart) {
     return {
         costs: kCosts.filter(([kind]) => chart.points.some(point => number(costOf(point, kind)?.[0] ?? NaN) >= 0 &&
             (kind !== "fetches" || point.counts.mean.fetch > 0))),
         hasErrors: chart.points.some(point => point.accuracy),
-        scenes: [...new Set(chart.points.map(point => point.scene))],
+        devices: [...new Set(chart.points.filter(point => point.accuracy || point.cost || point.counts).map(point => point.device))],
+        scenes: scenesOf(chart),
     };
 }
 
 const settingsText = settings => Object.entries(settings).map(([name, value]) => `${name}=${value}`).join(", ");
+
+export const remarkOf = point => [point.reason, point.refused ? "refused by what the family accepts" : "", point.front ? "on the front" : ""].filter(Boolean).join("; ");
 
 function rowOf(point, choice) {
     const [cost, low, high] = costOf(point, choice.cost);
@@ -47,6 +56,7 @@ function rowOf(point, choice) {
     const row = {
         label: point.label, member: point.member, settings: settingsText(point.settings), device: point.device,
         cost: number(cost), low: number(low ?? cost), high: number(high ?? cost), front: point.front,
+        refused: point.refused ?? false, remark: remarkOf(point),
         time: point.cost ? `${short(point.cost.nanoseconds)} ns (${short(point.cost.low)} to ${short(point.cost.high)})` : "",
         ratio: point.cost ? `${short(point.cost.ratio)}×` : "",
         operations: point.counts ? `${short(point.counts.mean.total)}, ${short(point.counts.mean.fetch)} image reads` : "",
@@ -62,12 +72,14 @@ function rowOf(point, choice) {
     return row;
 }
 
-// Marks the rows that no other row beats in both. The commands mark the front of time against the
-// worst error themselves.
-function markFront(rows, choice) {
-    if (choice.error === "worst" && (choice.cost === "time" || choice.cost === "ratio")) return;
+// Marks the rows that no other row beats in both. The front of the worst error against the chart's
+// own cost is marked already.
+function markFront(chart, rows, choice) {
+    const own = chart.cost_by === "operations" ? ["counts"] : ["time", "ratio"];
+    if (choice.error === "worst" && own.includes(choice.cost)) return;
+    const candidates = rows.filter(row => !row.refused && Number.isFinite(row.error));
     for (const row of rows) {
-        row.front = Number.isFinite(row.error) && !rows.some(other => other.cost <= row.cost &&
+        row.front = candidates.includes(row) && !candidates.some(other => other.cost <= row.cost &&
             other.error <= row.error && (other.cost < row.cost || other.error < row.error));
     }
 }
@@ -75,11 +87,10 @@ function markFront(rows, choice) {
 // The rows of a device, and its axes: errors, ratios and counts have one scale on all devices, times
 // have one on each.
 export function familyRows(chart, choice, device) {
-    const points = chart.points.filter(point => point.scene === choice.scene && !point.reason &&
-        point.accuracy && costOf(point, choice.cost));
+    const points = chart.points.filter(point => point.scene === choice.scene && point.accuracy && costOf(point, choice.cost));
     const all = points.map(point => rowOf(point, choice));
     const rows = all.filter(row => row.device === device);
-    markFront(rows, choice);
+    markFront(chart, rows, choice);
     const x = new LogAxis((choice.cost === "time" ? rows : all).map(row => row.cost));
     const y = new LogAxis(all.flatMap(row => [row.error, row.worst]));
     for (const row of rows) {
@@ -120,7 +131,7 @@ function tooltip(chart) {
         { field: "operations", title: "operations" },
         { field: "errors", title: "worst · 99.9 % · rms" }, { field: "bits", title: "bits" },
         ...(chart.search ? [{ field: "shares", title: "missed · wrong" }] : []),
-        { field: "device", title: "device" },
+        { field: "device", title: "device" }, { field: "remark", title: "remark" },
     ];
 }
 
@@ -143,7 +154,11 @@ export function familySpec(chart, choice, device, { width, height = 320, isDark 
     const names = labels(front, rows, { x, y }, width, height);
     const xOf = quantity("x", x, chart.search ? null : costTitle(chart, choice.cost));
     const yOf = quantity("y", y, errorTitle(chart, choice.error));
-    const colour = { field: "member", type: "nominal", sort: members, scale: { domain: members }, legend: { ...legendOf(width), values: members.filter(member => rows.some(row => row.member === member)) } };
+    const looks = range => ({ domain: members, range });
+    // Beyond eight members colours come again, with other shapes.
+    const shapes = looks(members.map((_, index) => kShapes[(index + 3 * Math.floor(index / kShapes.length)) % kShapes.length]));
+    const hues = looks(members.map((_, index) => colours(isDark)[index % kShapes.length]));
+    const member = { field: "member", type: "nominal", sort: members, legend: { ...legendOf(width), values: members.filter(member => rows.some(row => row.member === member)) } };
     const dimmed = { condition: { test: "datum.front", value: 1 }, value: 0.4 };
     const layer = [
         { data: { values: steps }, mark: { type: "line", interpolate: "step-after", strokeWidth: 1.5, color: ink(isDark), opacity: 0.55 },
@@ -157,7 +172,7 @@ export function familySpec(chart, choice, device, { width, height = 320, isDark 
     layer.push({
         mark: { type: "point", size: 90, strokeWidth: 1.6 },
         encoding: {
-            x: xOf, y: yOf, stroke: colour, fill: colour, shape: colour, strokeOpacity: { condition: { test: "datum.front", value: 1 }, value: 0.55 },
+            x: xOf, y: yOf, stroke: { ...member, scale: hues }, fill: { ...member, scale: hues }, shape: { ...member, scale: shapes }, strokeOpacity: { condition: { test: "datum.front", value: 1 }, value: 0.55 },
             fillOpacity: { condition: { test: "datum.front", value: 1 }, value: 0 },
         },
     });
@@ -203,8 +218,7 @@ function sharesSpec(chart, choice, rows, x, width) {
 
 // A family without truths: what each point costs, beside what its source says.
 export function costSpec(chart, choice, device, { width, isDark = false }) {
-    const points = chart.points.filter(point => point.scene === choice.scene && point.device === device && !point.reason &&
-        costOf(point, choice.cost));
+    const points = chart.points.filter(point => point.scene === choice.scene && point.device === device && costOf(point, choice.cost));
     const hasPublished = choice.cost === "ratio" && points.some(point => number(point.published_ratio ?? NaN) > 0);
     const values = points.flatMap(point => {
         const row = rowOf(point, choice);

@@ -7,14 +7,14 @@ export const kPanels = [["error", "error"], ["condition", "condition number"], [
 // What is drawn over a cell, and whether its error has a meaning.
 export const kMarks = {
     holds: { shape: null, hasError: true, says: "accepted" },
-    refused: { shape: "circle", size: 0.24, filled: true, hasError: true, says: "refused: the error is beyond the tolerance" },
-    spent: { shape: "square", size: 0.55, filled: false, hasError: true, says: "the budget of iterations is used up" },
-    missed: { shape: "circle", size: 0.6, filled: false, hasError: false, says: "missed: no hit where there is one" },
-    wrong: { shape: "cross", size: 0.65, filled: true, hasError: false, says: "wrong: a hit that is not the first" },
+    refused: { shape: "circle", size: 0.24, filled: true, hasError: true, says: "refused: beyond the tolerance" },
+    spent: { shape: "square", size: 0.55, filled: false, hasError: true, says: "spent: the budget of iterations was used up" },
+    missed: { shape: "circle", size: 0.6, filled: false, hasError: false, says: "missed: there is a hit, and none was found" },
+    wrong: { shape: "cross", size: 0.65, filled: true, hasError: false, says: "wrong: another hit than the first" },
     nan: { shape: "diamond", size: 0.65, filled: true, hasError: false, says: "NaN" },
     infinity: { shape: "triangle-up", size: 0.65, filled: true, hasError: false, says: "infinity" },
-    undecided: { shape: "stroke", size: 0.6, filled: false, hasError: false, says: "undecided: the truth is not known well enough" },
-    crash: { shape: "triangle-down", size: 0.7, filled: true, hasError: false, says: "crash" },
+    undecided: { shape: "stroke", size: 0.6, filled: false, hasError: false, says: "undecided: no truth there" },
+    crash: { shape: "triangle-down", size: 0.7, filled: true, hasError: false, says: "crash: the device gave no result" },
 };
 const kFlat = { missed: "#f0b6a0", wrong: "#d98cb8", nan: "#8f8f8f", infinity: "#b5b5b5", undecided: "#ececec", crash: "#b08d6e" };
 const kPlainAxis = {
@@ -22,6 +22,9 @@ const kPlainAxis = {
     labelExpr: "datum.value !== 0 && (abs(datum.value) < 1e-3 || abs(datum.value) >= 1e5) ? format(datum.value, '.0e') : format(datum.value, '~r')",
 };
 const kSteps = 4;  // colours in a decade
+
+// A device that cannot run the program has none.
+export const hasCells = device => device.mark.length > 0;
 
 const isLog = (axis, edges) => axis.scale === "log" && edges.every(edge => number(edge) > 0);
 
@@ -48,7 +51,7 @@ function titleOf(map, panel) {
 export function colourAxis(map, panel) {
     const values = [];
     for (const device of map.devices) {
-        if (device.reason && panel === "error") continue;
+        if (!hasCells(device) && panel === "error") continue;
         const { values: all, marks } = panelOf(map, device, panel);
         all.forEach((value, cell) => { if (!marks || kMarks[marks[cell]]?.hasError) values.push(value); });
         if (panel !== "error") break;
@@ -157,27 +160,28 @@ export function heart(cells, kind, width, height) {
 
 function theoryLayers(map, x, y) {
     const [xs, ys] = [map.x.edges.map(number), map.y.edges.map(number)];
-    const layers = [];
-    for (const [kind, dash, name] of [[2, [], "theory: fails"], [1, [5, 4], "theory: holds"]]) {
+    const lines = [];
+    const names = [];
+    // Where both run together the solid line covers the other.
+    for (const [kind, strokeDash, name] of [[1, [5, 4], "theory: holds"], [2, [], "theory: fails"]]) {
         const values = boundary(map.prediction.cells, kind, xs, ys);
         const encoding = { x: { ...x, field: "x" }, x2: { field: "x2" }, y: { ...y, field: "y" }, y2: { field: "y2" } };
-        for (const [color, strokeWidth, strokeDash] of [["#ffffff", 4.5, []], ["#000000", 2, dash]]) {
-            layers.push({ data: { values }, mark: { type: "rule", color, strokeWidth, strokeDash, strokeCap: "square" }, encoding });
+        for (const mark of [{ color: "#ffffff", strokeWidth: 4.5 }, { color: "#000000", strokeWidth: 2, strokeDash }]) {
+            lines.push({ data: { values }, mark: { type: "rule", strokeCap: "square", ...mark }, encoding });
         }
         const cell = heart(map.prediction.cells, kind, xs.length - 1, ys.length - 1);
-        if (!cell) continue;
-        const values_at = [{ x: number(map.x.values[cell[0]]), y: number(map.y.values[cell[1]]), name }];
-        for (const halo of [{ stroke: "#ffffff", strokeWidth: 4 }, { fill: "#000000" }]) {
-            layers.push({ data: { values: values_at }, mark: { type: "text", fontSize: 12, fontWeight: 600, ...halo },
-                encoding: { x: { ...x, field: "x" }, y: { ...y, field: "y" }, text: { field: "name" } } });
-        }
+        if (cell) names.push({ x: number(map.x.values[cell[0]]), y: number(map.y.values[cell[1]]), name });
     }
-    return layers;
+    const halo = [{ stroke: "#ffffff", strokeWidth: 4, strokeJoin: "round" }, { fill: "#000000" }];
+    return [...lines, ...halo.map(mark => ({
+        data: { values: names }, mark: { type: "text", fontSize: 12, fontWeight: 600, ...mark },
+        encoding: { x: { ...x, field: "x" }, y: { ...y, field: "y" }, text: { field: "name" } },
+    }))];
 }
 
 // The marks that are seen on any device, for the legend.
 export function marksSeen(map) {
-    const seen = new Set(map.devices.flatMap(device => (device.reason ? [] : device.mark.map(index => map.marks[index]))));
+    const seen = new Set(map.devices.flatMap(device => device.mark.map(index => map.marks[index])));
     return map.marks.filter(mark => seen.has(mark));
 }
 

@@ -3,7 +3,7 @@
 
 const kLightColours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b58900", "#56b4e9", "#7f3c8d", "#5c5c5c"];
 const kDarkColours = ["#4aa8e0", "#f0843c", "#2fc79a", "#e39ac4", "#e6b93d", "#8fd0f5", "#b98cc7", "#a8a8a8"];
-const kShapes = ["circle", "square", "triangle-up", "diamond", "cross", "triangle-down", "triangle-right", "triangle-left"];
+export const kShapes = ["circle", "square", "triangle-up", "diamond", "cross", "triangle-down", "triangle-right", "triangle-left"];
 
 export function theme(isDark) {
     const ink = isDark ? "#e6e6e6" : "#1f2328";
@@ -21,9 +21,10 @@ export function theme(isDark) {
         title: { color: ink, subtitleColor: soft, fontSize: 13, fontWeight: 600, subtitleFontSize: 11, anchor: "start" },
         text: { color: ink, fontSize: 11 },
         rule: { color: soft },
-        range: { category: isDark ? kDarkColours : kLightColours, symbol: kShapes },
+        range: { category: colours(isDark), symbol: kShapes },
     };
 }
 
+export const colours = isDark => (isDark ? kDarkColours : kLightColours);
 export const ink = isDark => (isDark ? "#e6e6e6" : "#1f2328");
 export const paper = isDark => (isDark ? "#16191d" : "#ffffff");
