@@ -6,16 +6,15 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <future>
 #include <iostream>
 #include <thread>
 
 #include "case/case.h"
 #include "compile/compile.h"
-#include "judge/judge.h"
 #include "numeric/ulp.h"
 #include "run/devices.h"
 #include "run/fit.h"
+#include "run/sweep_check.h"
 #include "worker/serve.h"
 
 namespace etalon {
@@ -23,14 +22,11 @@ namespace {
 
 constexpr const char* kDevice = "vulkan:llvmpipe";
 
-// Everything of one checked function of one float: device, oracle, judge.
+// Everything of one checked function of one float: device, and what a sweep of it is.
 struct Checked {
     std::unique_ptr<Runner> runner;
-    Call call;
-    Signature signature;
     Recipe recipe;
-    Expression truth = Expression::Constant(0);
-    Acceptance accept;
+    SweepPlan plan;
 };
 
 template <typename T>
@@ -47,75 +43,60 @@ Checked Open() {
     DeviceChoice choice;
     choice.patterns = {kDevice};
     checked.runner = std::move(OrEnd(OpenDevices(choice)).runners.front());
-    checked.call.source = std::string(ETALON_ROOT) + "/shaders/optics/fresnel.glsl";
-    checked.call.arguments = {{"cos_i", "float", true, false}};
-    checked.call.wanted = {{"result", "fresnel_reflectance(1.0, 1.5, cos_i)", "CALL"}};
-    checked.signature = OrEnd(Inspect(checked.call));
     checked.recipe = DefaultRecipe(checked.runner->info());
-    checked.truth = OrEnd(Expression::Parse("fresnel.reflectance(1, 1.5, cos_i)"));
-    const Symbol symbol{"cos_i", 1};
-    OrEnd(checked.truth.Bind({&symbol, 1}));
-    checked.accept.ulp = 16;
+    SweepPlan& plan = checked.plan;
+    plan.call.source = std::string(ETALON_ROOT) + "/shaders/optics/fresnel.glsl";
+    plan.call.arguments = {{"cos_i", "float", true, false}};
+    plan.call.wanted = {{"result", "fresnel_reflectance(1.0, 1.5, cos_i)", "CALL"}};
+    plan.signature = OrEnd(Inspect(plan.call));
+    plan.settings.variables = {{"cos_i", "float"}};
+    plan.settings.columns = {{"cos_i"}};
+    plan.settings.words = {ToBits(0.25f)};
+    plan.settings.rows = 1;
+    SweepPlan::Oracle oracle;
+    oracle.expression = OrEnd(Expression::Parse("fresnel.reflectance(1, 1.5, cos_i)"));
+    OrEnd(oracle.expression.Bind(Symbols(plan.settings.variables)));
+    JudgedColumn result;
+    result.name = "result";
+    result.accept.ulp = 16;
+    oracle.outputs = {result};
+    plan.oracles.push_back(std::move(oracle));
     return checked;
 }
 
-// Judges a part of a block: its truths in binary64, then the rule.
-Summary JudgePart(const Checked& checked, std::span<const std::uint32_t> inputs,
-                  std::span<const std::uint32_t> outputs) {
-    Summary summary;
-    constexpr std::size_t kBatch = 4096;
-    std::vector<double> columns(kBatch);
-    std::vector<float> values(kBatch);
-    std::vector<double> truths;
-    for (std::size_t at = 0; at < inputs.size(); at += kBatch) {
-        const std::size_t count = std::min(kBatch, inputs.size() - at);
-        for (std::size_t i = 0; i < count; ++i) {
-            columns[i] = static_cast<double>(FromBits(inputs[at + i]));
-            values[i] = FromBits(outputs[at + i]);
-        }
-        const double* column = columns.data();
-        checked.truth.EvaluateFast({&column, 1}, count, truths);
-        JudgeAll(checked.accept, std::span(values).first(count), truths,
-                 checked.truth.relative_bound(), checked.truth.absolute_bound(), at, summary);
-    }
-    return summary;
-}
-
-// Every float of [0.25, 1), block after block: evaluated on the device, checked on all cores.
+// Every float of [0.25, 1), block after block: evaluated on the device, checked on all cores as a
+// sweep's are.
 void CheckedValues(benchmark::State& state) {
     Checked checked = Open();
     const auto rows = static_cast<std::uint32_t>(state.range(0));
+    const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+    const std::int64_t begin = OrderedBits(0.25f);
+    const std::int64_t end = OrderedBits(1.0f);
+    std::int64_t first_float = begin;
     std::vector<std::uint32_t> inputs(rows);
-    std::uint32_t bits = ToBits(0.25f);
     std::uint64_t refused = 0;
     std::int64_t values = 0;
-    const std::size_t parts = std::max(1u, std::thread::hardware_concurrency());
     for (auto _ : state) {
-        for (std::uint32_t& input : inputs) {
-            input = bits;
-            bits = bits + 1 < ToBits(1.0f) ? bits + 1 : ToBits(0.25f);
+        if (first_float + rows > end) {
+            first_float = begin;
         }
+        FillFloats(first_float, inputs);
         const auto evaluated = checked.runner->Evaluate(
-            checked.call, checked.signature, checked.recipe, {inputs, rows, 1},
+            checked.plan.call, checked.plan.signature, checked.recipe, {inputs, rows, 1},
             [&](std::uint64_t first, std::uint32_t count, std::span<const std::uint32_t> words) {
-                std::vector<std::future<Summary>> judged;
-                for (std::size_t part = 0; part < parts; ++part) {
-                    const std::size_t from = count * part / parts;
-                    const std::size_t to = count * (part + 1) / parts;
-                    judged.push_back(std::async(std::launch::async, [&, from, to] {
-                        return JudgePart(checked,
-                                         std::span(inputs).subspan(first + from, to - from),
-                                         words.subspan(from, to - from));
-                    }));
-                }
-                for (std::future<Summary>& one : judged) {
-                    refused += one.get().refused;
+                SweepBlock block;
+                block.first_row = first;
+                block.first_float = first_float + static_cast<std::int64_t>(first);
+                block.rows = count;
+                for (const SweptColumn& column : CheckBlock(checked.plan, block, words, threads)) {
+                    refused += column.summary.refused;
                 }
             });
         if (!evaluated) {
             state.SkipWithError(evaluated.error().reason.c_str());
             return;
         }
+        first_float += rows;
         values += rows;
     }
     state.SetItemsProcessed(values);
@@ -135,7 +116,7 @@ void EvaluatedValues(benchmark::State& state) {
     const std::vector<std::uint32_t> inputs(rows, ToBits(0.5f));
     for (auto _ : state) {
         benchmark::DoNotOptimize(checked.runner->Evaluate(
-            checked.call, checked.signature, checked.recipe, {inputs, rows, 1},
+            checked.plan.call, checked.plan.signature, checked.recipe, {inputs, rows, 1},
             [](std::uint64_t, std::uint32_t, std::span<const std::uint32_t>) {}));
     }
     state.SetItemsProcessed(state.iterations() * rows);
