@@ -24,7 +24,7 @@ class CountedLoop {
   public:
     static Result<CountedLoop> Make(const PreparedCase& subject, const std::filesystem::path& file,
                                     bool empty) {
-        ETALON_TRY(looped, LoopCall(subject, file, 1, empty));
+        ETALON_TRY(looped, LoopCall(subject, file, 1, empty ? 0 : 1));
         Recipe recipe;
         recipe.optimise = Recipe::Optimise::kSpeed;
         const auto program = Compile(looped.call, looped.signature, recipe, Target{}, {});

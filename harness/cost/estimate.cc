@@ -23,7 +23,7 @@ std::vector<double> Part(const std::vector<double>& values, std::size_t part) {
 }
 
 double SecondsOf(const LoopTimes& times, double evaluations) {
-    return std::max(0.0, LowerQuartile(times.full) - LowerQuartile(times.empty)) / evaluations;
+    return std::max(0.0, LowerQuartile(times.full) - LowerQuartile(times.less)) / evaluations;
 }
 
 }  // namespace
@@ -33,14 +33,14 @@ double LoopEstimate::Spread() const {
 }
 
 LoopEstimate Estimate(const LoopTimes& times, double evaluations) {
-    ETALON_CHECK(times.full.size() == times.empty.size() && times.full.size() >= kParts);
+    ETALON_CHECK(times.full.size() == times.less.size() && times.full.size() >= kParts);
     LoopEstimate estimate;
     estimate.seconds = SecondsOf(times, evaluations);
     estimate.low = estimate.seconds;
     estimate.high = estimate.seconds;
     for (std::size_t part = 0; part < kParts; ++part) {
         const double alone =
-            SecondsOf({Part(times.full, part), Part(times.empty, part)}, evaluations);
+            SecondsOf({Part(times.full, part), Part(times.less, part)}, evaluations);
         estimate.low = std::min(estimate.low, alone);
         estimate.high = std::max(estimate.high, alone);
     }

@@ -11,9 +11,9 @@ namespace {
 constexpr const char* kTurns = "cost_loops";
 constexpr const char* kDone = "cost_done";
 
-// A bit of the turn's number that is never set, as no compiler can know.
-constexpr unsigned kHighestBit = 30;
-static_assert(1u << (kHighestBit - kMostCopies) > kMostTurns);
+// A bit that is never set in a turn's number, as no compiler can know.
+constexpr unsigned kUnsetBit = 20;
+static_assert(1u << kUnsetBit > kMostTurns);
 
 constexpr const char* kFunctions =
     "float cost_vary(float value, int zero)\n{\n"
@@ -21,6 +21,10 @@ constexpr const char* kFunctions =
     "int cost_vary(int value, int zero)\n{\n    return value ^ zero;\n}\n"
     "uint cost_vary(uint value, int zero)\n{\n    return value ^ uint(zero);\n}\n"
     "bool cost_vary(bool value, int zero)\n{\n    return value != (zero != 0);\n}\n";
+
+std::string AsInt(const std::string& value, Scalar scalar) {
+    return (scalar == Scalar::kFloat ? "floatBitsToInt(" : "int(") + value + ")";
+}
 
 std::string AsFloat(const std::string& value, Scalar scalar) {
     switch (scalar) {
@@ -36,8 +40,8 @@ std::string AsFloat(const std::string& value, Scalar scalar) {
 // Writes the function cost_loop, of the inputs, the turns and the turns made.
 class LoopWriter {
   public:
-    LoopWriter(const PreparedCase& prepared, unsigned copies, bool empty)
-        : call_(prepared.call), signature_(prepared.signature), copies_(copies), is_empty_(empty) {}
+    LoopWriter(const PreparedCase& prepared, unsigned slots, unsigned calls)
+        : call_(prepared.call), signature_(prepared.signature), slots_(slots), calls_(calls) {}
 
     std::string Text() {
         std::string parameters;
@@ -47,24 +51,23 @@ class LoopWriter {
                     TypeText(signature_.arguments[i]) + " cost_" + std::to_string(i) + ", ";
             }
         }
-        std::string sums;
-        std::string total = "0.0";
+        // The condition stands at the end: llvmpipe runs a turn more, with all lanes off, of a loop
+        // that is left at its beginning.
         std::string turn;
-        for (unsigned copy = 0; copy < copies_; ++copy) {
-            // A sum of its own for each: they need not wait for each other.
-            sum_ = "cost_sum" + std::to_string(copy);
-            sums += "    float " + sum_ + " = 0.0;\n";
-            total += " + " + sum_;
-            turn += "        {\n            int cost_zero = cost_turn >> " +
-                    std::to_string(kHighestBit - copy) + ";\n";
+        for (unsigned slot = 0; slot < slots_; ++slot) {
+            turn +=
+                "        {\n            int cost_zero = floatBitsToInt(cost_carry) & cost_none;\n";
             turn += Inputs();
-            turn += Results();
+            turn += slot < calls_ ? Results() : Nothing();
             turn += "        }\n";
         }
         return std::string(kFunctions) + "float cost_loop(" + parameters +
-               "int turns, out int done)\n{\n" + sums +
-               "    int cost_turn = 0;\n    for (; cost_turn < turns; ++cost_turn) {\n" + turn +
-               "    }\n    done = cost_turn;\n    return " + total + ";\n}\n";
+               "int turns, out int done)\n{\n    float cost_carry = 0.0;\n    int cost_sum = 0;\n"
+               "    int cost_none = 0;\n    int cost_turn = 0;\n"
+               "    do {\n        cost_none = cost_turn >> " +
+               std::to_string(kUnsetBit) + ";\n" + turn +
+               "        ++cost_turn;\n    } while (cost_turn < turns);\n    done = cost_turn;\n"
+               "    return cost_carry + float(cost_sum & cost_none);\n}\n";
     }
 
   private:
@@ -73,19 +76,16 @@ class LoopWriter {
         return std::find(uniforms.begin(), uniforms.end(), name) != uniforms.end();
     }
 
-    std::string Add(const std::string& value) const {
-        return "            " + sum_ + " += " + value + ";\n";
-    }
-
-    std::string AddAll(const std::string& variable, const Type& type) const {
-        std::string text;
-        for (const Leaf& leaf : Leaves(type)) {
-            text += Add(AsFloat(variable + leaf.path, leaf.scalar));
+    // What the next slot waits for.
+    static std::string Carry(const std::vector<std::string>& values) {
+        std::string text = "            cost_carry = ";
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            text += (i == 0 ? "" : " + ") + values[i];
         }
-        return text;
+        return text + (values.empty() ? "0.0;\n" : ";\n");
     }
 
-    // Declares the call's arguments and adds up the inputs.
+    // Declares the call's arguments; all inputs are made, whatever the slot does with them.
     std::string Inputs() {
         std::string text;
         for (std::size_t i = 0; i < call_.arguments.size(); ++i) {
@@ -99,10 +99,10 @@ class LoopWriter {
             }
             for (const Leaf& leaf : Leaves(type)) {
                 const std::string value = argument.name + leaf.path;
-                text += "            " + value + " = cost_vary(" + value + ", cost_zero);\n";
+                text += "            " + value + " = cost_vary(" + value + ", cost_zero);\n" +
+                        "            cost_sum += " + AsInt(value, leaf.scalar) + ";\n";
                 any_input_ = AsFloat(value, leaf.scalar);
             }
-            text += AddAll(argument.name, type);
         }
         return text;
     }
@@ -110,41 +110,45 @@ class LoopWriter {
     std::string Results() const {
         const Type& type = signature_.wanted.front();
         const bool is_void = type.kind == Type::Kind::kVoid;
-        std::string text;
-        if (is_empty_) {
-            std::size_t count = Leaves(type).size();
-            for (std::size_t i = 0; i < call_.arguments.size(); ++i) {
-                count += call_.arguments[i].is_output ? Leaves(signature_.arguments[i]).size() : 0;
+        std::vector<std::string> values;
+        const auto add = [&](const std::string& variable, const Type& of) {
+            for (const Leaf& leaf : Leaves(of)) {
+                values.push_back(AsFloat(variable + leaf.path, leaf.scalar));
             }
-            for (std::size_t i = 0; i < count; ++i) {
-                text += Add(any_input_);
-            }
-            return text;
-        }
-        text = "            " + (is_void ? "" : TypeText(type) + " cost_result = ") +
-               call_.wanted.front().text + ";\n" + AddAll("cost_result", type);
+        };
+        add("cost_result", type);
         for (std::size_t i = 0; i < call_.arguments.size(); ++i) {
             if (call_.arguments[i].is_output) {
-                text += AddAll(call_.arguments[i].name, signature_.arguments[i]);
+                add(call_.arguments[i].name, signature_.arguments[i]);
             }
         }
-        return text;
+        return "            " + (is_void ? "" : TypeText(type) + " cost_result = ") +
+               call_.wanted.front().text + ";\n" + Carry(values);
+    }
+
+    // As many values as there are results.
+    std::string Nothing() const {
+        std::size_t count = Leaves(signature_.wanted.front()).size();
+        for (std::size_t i = 0; i < call_.arguments.size(); ++i) {
+            count += call_.arguments[i].is_output ? Leaves(signature_.arguments[i]).size() : 0;
+        }
+        return Carry(std::vector<std::string>(count, any_input_));
     }
 
     const Call& call_;
     const Signature& signature_;
-    unsigned copies_;
-    bool is_empty_;
-    std::string sum_;
+    unsigned slots_;
+    unsigned calls_;
     std::string any_input_ = "1.0";  // where there is none
 };
 
 }  // namespace
 
 Result<LoopedCall> LoopCall(const PreparedCase& prepared, const std::filesystem::path& file,
-                            unsigned copies, bool empty) {
-    ETALON_CHECK(!prepared.call.wanted.empty() && copies > 0 && copies <= kMostCopies);
-    ETALON_TRY_STEP(WriteFile(file, LoopWriter(prepared, copies, empty).Text()));
+                            unsigned slots, unsigned calls) {
+    ETALON_CHECK(!prepared.call.wanted.empty() && slots > 0 && slots <= kMostSlots);
+    ETALON_CHECK(calls <= slots);
+    ETALON_TRY_STEP(WriteFile(file, LoopWriter(prepared, slots, calls).Text()));
     LoopedCall looped;
     looped.call = prepared.call;
     // The loop comes after all that it may call, in whichever order that has to stand.

@@ -9,7 +9,6 @@
 #include "cost/scratch_folder.h"
 #include "cost/timed_loop.h"
 #include "run/fit.h"
-#include "spirv/loops.h"
 
 namespace etalon {
 namespace {
@@ -20,8 +19,11 @@ constexpr std::uint64_t kRowsOnCard = 1u << 18;
 // So long should a run be: far above what the clocks tell apart, and what a submission costs.
 constexpr double kRunSeconds = 4e-3;
 constexpr std::size_t kFewestRounds = kParts;
-// Copies of a call make its program longer, which must fit a cache; words of SPIR-V.
-constexpr std::size_t kMostWords = 1u << 14;
+// What a turn of a host's loop does beside its calls takes some nanoseconds, in which a short call
+// would hide: the calls of a turn must take far longer.
+constexpr double kTurnSeconds = 50e-9;
+// They make the program longer, which must fit a cache; words of SPIR-V.
+constexpr std::size_t kMostWords = 1u << 13;
 
 double SecondsOf(const RunTime& time, const Runner& runner) {
     return runner.info().on_host ? time.processor_seconds : time.seconds;
@@ -34,36 +36,87 @@ std::string ClockName(const RunTime& time, const Runner& runner) {
     return time.clock == RunTime::Clock::kDevice ? "device timestamps" : "host clock";
 }
 
-// How many evaluations of the call a turn may hold.
-unsigned CopiesFor(const PreparedCase& subject) {
+// How many calls a turn may hold at most.
+unsigned MostCalls(const PreparedCase& subject) {
     Recipe recipe;
     recipe.stage = subject.signature.stage;
     const auto program = Compile(subject.call, subject.signature, recipe, Target{}, {});
-    if (!program || spirv::HasLoop(program->spirv)) {
-        return 1;
-    }
-    return static_cast<unsigned>(
-        std::clamp<std::size_t>(kMostWords / program->spirv.size(), 1, kMostCopies));
+    return program ? static_cast<unsigned>(
+                         std::clamp<std::size_t>(kMostWords / program->spirv.size(), 1, kMostSlots))
+                   : 1;
 }
 
-// A call's loop and its empty loop.
+// A call's loop, and the same loop with fewer calls: with none, where a call takes long, else with
+// half of them, for the calls that are left fill the time in which others would hide.
 class Subject {
   public:
-    static Result<Subject> Make(const PreparedCase& prepared, const Recipe& recipe, unsigned copies,
-                                std::uint64_t fewest_rows, const std::filesystem::path& name) {
-        ETALON_TRY(full, LoopCall(prepared, name.string() + "full.glsl", copies, false));
-        ETALON_TRY(empty, LoopCall(prepared, name.string() + "empty.glsl", copies, true));
-        return Subject({std::move(full), prepared.table, recipe, fewest_rows},
-                       {std::move(empty), prepared.table, recipe, fewest_rows}, copies);
+    static Result<Subject> Make(const PreparedCase& prepared, const Recipe& recipe,
+                                std::uint64_t fewest_rows, std::filesystem::path name) {
+        Subject subject(prepared, recipe, fewest_rows, std::move(name));
+        ETALON_TRY_STEP(subject.Hold(1, 0));
+        return subject;
     }
 
-    // Finds how many turns a run has.
+    // Finds how many calls a turn has, and how many turns a run.
     Status<> Settle(Runner& runner) {
+        ETALON_TRY_STEP(SettleTurns(runner));
+        ETALON_TRY(run, full_->Make(runner, turns_));
+        const double turn =
+            SecondsOf(run.time, runner) / static_cast<double>(full_->rows() * turns_);
+        if (turn >= kTurnSeconds) {
+            return Ok();
+        }
+        const auto wanted = static_cast<unsigned>(2 * kTurnSeconds / std::max(turn, 1e-9)) + 1;
+        const unsigned half = std::min(wanted, MostCalls(*prepared_)) / 2;
+        if (half == 0) {
+            return Ok();
+        }
+        ETALON_TRY_STEP(Hold(2 * half, half));
+        turns_ = 1;
+        return SettleTurns(runner);
+    }
+
+    // One run of the loop, or of the one with fewer calls.
+    Status<> Measure(Runner& runner, bool less) {
+        ETALON_TRY(run, (less ? less_ : full_)->Make(runner, turns_));
+        (less ? times_.less : times_.full).push_back(SecondsOf(run.time, runner));
+        return Ok();
+    }
+
+    TimeEstimate Told() const {
+        const double evaluations = static_cast<double>(full_->rows()) * turns_ * calls_;
+        const LoopEstimate found = Estimate(times_, evaluations);
+        return {found.seconds, found.low, found.high, times_.full.size(), clock_};
+    }
+
+    bool IsWithin(double spread) const { return Estimate(times_, 1).Spread() <= spread; }
+
+  private:
+    Subject(const PreparedCase& prepared, const Recipe& recipe, std::uint64_t fewest_rows,
+            std::filesystem::path name)
+        : prepared_(&prepared),
+          recipe_(recipe),
+          fewest_rows_(fewest_rows),
+          name_(std::move(name)) {}
+
+    // Makes the loop of so many calls, and the one of `less` calls in as many slots. The names are
+    // new, by which a runner knows programs.
+    Status<> Hold(unsigned calls, unsigned less) {
+        const std::string name = name_.string() + "_" + std::to_string(calls);
+        ETALON_TRY(full, LoopCall(*prepared_, name + "_full.glsl", calls, calls));
+        ETALON_TRY(fewer, LoopCall(*prepared_, name + "_less.glsl", calls, less));
+        full_.emplace(std::move(full), prepared_->table, recipe_, fewest_rows_);
+        less_.emplace(std::move(fewer), prepared_->table, recipe_, fewest_rows_);
+        calls_ = calls - less;
+        return Ok();
+    }
+
+    Status<> SettleTurns(Runner& runner) {
         // Drivers compile in the first run.
-        ETALON_TRY_STEP(empty_.Make(runner, turns_));
-        ETALON_TRY_STEP(full_.Make(runner, turns_));
+        ETALON_TRY_STEP(less_->Make(runner, turns_));
+        ETALON_TRY_STEP(full_->Make(runner, turns_));
         for (std::uint32_t most = kMostTurns;;) {
-            ETALON_TRY(run, full_.Make(runner, turns_));
+            ETALON_TRY(run, full_->Make(runner, turns_));
             clock_ = ClockName(run.time, runner);
             if (run.turns < turns_) {
                 most = std::max(run.turns / 2, 1u);
@@ -82,28 +135,13 @@ class Subject {
         }
     }
 
-    // One run of the loop, or of the empty one.
-    Status<> Measure(Runner& runner, bool empty) {
-        ETALON_TRY(run, (empty ? empty_ : full_).Make(runner, turns_));
-        (empty ? times_.empty : times_.full).push_back(SecondsOf(run.time, runner));
-        return Ok();
-    }
-
-    TimeEstimate Told() const {
-        const double evaluations = static_cast<double>(full_.rows()) * turns_ * copies_;
-        const LoopEstimate found = Estimate(times_, evaluations);
-        return {found.seconds, found.low, found.high, times_.full.size(), clock_};
-    }
-
-    bool IsWithin(double spread) const { return Estimate(times_, 1).Spread() <= spread; }
-
-  private:
-    Subject(TimedLoop full, TimedLoop empty, unsigned copies)
-        : full_(std::move(full)), empty_(std::move(empty)), copies_(copies) {}
-
-    TimedLoop full_;
-    TimedLoop empty_;
-    unsigned copies_;
+    const PreparedCase* prepared_;
+    Recipe recipe_;
+    std::uint64_t fewest_rows_;
+    std::filesystem::path name_;
+    std::optional<TimedLoop> full_;
+    std::optional<TimedLoop> less_;
+    unsigned calls_ = 1;  // that the full loop has more, in each turn
     std::uint32_t turns_ = 1;
     std::string clock_;
     LoopTimes times_;
@@ -184,7 +222,7 @@ class Contest {
     Runner& runner_;
     const CostOptions& options_;
     const CostProgress& progress_;
-    std::vector<std::size_t> order_;  // subject i's loop is 2 i, its empty one 2 i + 1
+    std::vector<std::size_t> order_;  // subject i's loop is 2 i, its lesser one 2 i + 1
     std::mt19937 random_;
 };
 
@@ -199,14 +237,9 @@ Result<std::vector<Result<TimeEstimate>>> EstimateTimes(std::span<const Prepared
         return Error{"a call whose inputs are constants has no time: not with '+baked'"};
     }
     ETALON_TRY(folder, ScratchFolder::Make());
-    // The same for all, for it changes what an evaluation takes.
-    unsigned copies = kMostCopies;
-    for (const PreparedCase& subject : subjects) {
-        copies = std::min(copies, CopiesFor(subject));
-    }
     std::vector<Result<Subject>> measured;
     for (std::size_t i = 0; i < subjects.size(); ++i) {
-        measured.push_back(Subject::Make(subjects[i], fitted, copies,
+        measured.push_back(Subject::Make(subjects[i], fitted,
                                          runner.info().on_host ? kRowsOnHost : kRowsOnCard,
                                          folder.path() / std::to_string(i)));
     }

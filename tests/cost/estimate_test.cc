@@ -11,7 +11,7 @@ namespace {
 using testing::DoubleNear;
 
 constexpr double kFull = 5e-3;
-constexpr double kEmpty = 1e-3;
+constexpr double kLess = 1e-3;
 
 // Rounds on a machine that slows what it runs by `noise` on average, and one in seven runs by ten
 // times that much.
@@ -24,24 +24,24 @@ LoopTimes Rounds(std::size_t rounds, double noise, unsigned seed = 1) {
             return seconds * (1 + slower(random) * (random() % 7 == 0 ? 10 : 1));
         };
         times.full.push_back(run(kFull));
-        times.empty.push_back(run(kEmpty));
+        times.less.push_back(run(kLess));
     }
     return times;
 }
 
-TEST(Estimate, TakesTheEmptyLoopAway) {
-    const LoopTimes times{{kFull, kFull, kFull, kFull, kFull}, {kEmpty, kEmpty, kEmpty, kEmpty, 0}};
+TEST(Estimate, TakesTheLesserLoopAway) {
+    const LoopTimes times{{kFull, kFull, kFull, kFull, kFull}, {kLess, kLess, kLess, kLess, 0}};
     const LoopEstimate found = Estimate(times, 1000);
     EXPECT_DOUBLE_EQ(found.seconds, 4e-6);
     EXPECT_DOUBLE_EQ(found.low, 4e-6);
-    EXPECT_DOUBLE_EQ(found.high, 5e-6) << "a part whose empty run was too short";
+    EXPECT_DOUBLE_EQ(found.high, 5e-6) << "a part whose lesser run was too short";
     EXPECT_DOUBLE_EQ(found.Spread(), 0.25);
 }
 
 TEST(Estimate, HoldsAgainstNoise) {
     for (unsigned seed = 1; seed <= 100; ++seed) {
         const LoopEstimate found = Estimate(Rounds(60, 0.02, seed), 1);
-        EXPECT_THAT(found.seconds, DoubleNear(kFull - kEmpty, 0.03 * kFull)) << seed;
+        EXPECT_THAT(found.seconds, DoubleNear(kFull - kLess, 0.03 * kFull)) << seed;
         EXPECT_LE(found.low, found.seconds);
         EXPECT_GE(found.high, found.seconds);
     }
@@ -52,7 +52,7 @@ TEST(Estimate, IsNotLedByASingleRun) {
     const double before = Estimate(times, 1).seconds;
     times.full[7] = 0;
     times.full[8] = 1e3;
-    times.empty[9] = 1e3;
+    times.less[9] = 1e3;
     EXPECT_THAT(Estimate(times, 1).seconds, DoubleNear(before, 0.002 * before));
 }
 

@@ -140,16 +140,24 @@ TEST_F(TimeTest, SeesRatiosOfShortCalls) {
     if (runner == nullptr) {
         GTEST_SKIP() << "no lavapipe here";
     }
-    // Without a loop several stand in each turn. A root does not hide behind another one, as a sum
-    // does behind a root.
-    const std::string source =
-        "float f4(float x) { return sqrt(sqrt(sqrt(sqrt(x + 1.0)))); }\n"
-        "float f(float x) { return f4(f4(f4(f4(x)))); }\n";
+    const auto roots = [](int count) {
+        std::string body = "x";
+        for (int i = 1; i <= count; ++i) {
+            body = "sqrt(" + body + " + " + std::to_string(i) + ".0)";
+        }
+        return SubjectText{"float f(float x) { return " + body + "; }\n", "f(x)"};
+    };
+    // In a call with a loop they are no shorter.
+    const SubjectText looped{
+        "float f(float x) { for (int i = 0; i < 2; ++i) { x = sqrt(x + 1.0); } return x; }\n",
+        "f(x)"};
     const std::vector<double> seconds =
-        SecondsOf({{source, "f(x)"}, {source, "f(f(x))"}, {source, "x + 1.0"}}, *runner,
+        SecondsOf({roots(2), roots(4), roots(20), {"", "x + 1.0"}, looped}, *runner,
                   DefaultRecipe(runner->info()));
     EXPECT_THAT(seconds[1] / seconds[0], DoubleNear(2, 0.2));
-    EXPECT_LT(seconds[2], 0.1 * seconds[0]);
+    EXPECT_THAT(seconds[2] / seconds[0], DoubleNear(10, 1));
+    EXPECT_LT(seconds[3], 0.2 * seconds[0]);
+    EXPECT_THAT(seconds[4] / seconds[0], DoubleNear(1, 0.5));
 }
 
 TEST_F(TimeTest, TimesCallsWithImages) {
