@@ -21,7 +21,7 @@ constexpr std::uint64_t kRowsOnCard = 1u << 18;
 constexpr double kRunSeconds = 4e-3;
 constexpr std::size_t kFewestRounds = kParts;
 // Copies of a call make its program longer, which must fit a cache; words of SPIR-V.
-constexpr std::size_t kMostWords = 1u << 14;
+constexpr std::size_t kMostWords = 1u << 12;
 
 double SecondsOf(const RunTime& time, const Runner& runner) {
     return runner.info().on_host ? time.processor_seconds : time.seconds;
@@ -49,8 +49,9 @@ unsigned CopiesFor(const PreparedCase& subject) {
 // A call's loop and its empty loop.
 class Subject {
   public:
-    static Result<Subject> Make(const PreparedCase& prepared, const Recipe& recipe, unsigned copies,
+    static Result<Subject> Make(const PreparedCase& prepared, const Recipe& recipe,
                                 std::uint64_t fewest_rows, const std::filesystem::path& name) {
+        const unsigned copies = CopiesFor(prepared);
         ETALON_TRY(full, LoopCall(prepared, name.string() + "full.glsl", copies, false));
         ETALON_TRY(empty, LoopCall(prepared, name.string() + "empty.glsl", copies, true));
         return Subject({std::move(full), prepared.table, recipe, fewest_rows},
@@ -199,14 +200,9 @@ Result<std::vector<Result<TimeEstimate>>> EstimateTimes(std::span<const Prepared
         return Error{"a call whose inputs are constants has no time: not with '+baked'"};
     }
     ETALON_TRY(folder, ScratchFolder::Make());
-    // The same for all, for it changes what an evaluation takes.
-    unsigned copies = kMostCopies;
-    for (const PreparedCase& subject : subjects) {
-        copies = std::min(copies, CopiesFor(subject));
-    }
     std::vector<Result<Subject>> measured;
     for (std::size_t i = 0; i < subjects.size(); ++i) {
-        measured.push_back(Subject::Make(subjects[i], fitted, copies,
+        measured.push_back(Subject::Make(subjects[i], fitted,
                                          runner.info().on_host ? kRowsOnHost : kRowsOnCard,
                                          folder.path() / std::to_string(i)));
     }
