@@ -93,7 +93,7 @@ Words RunOnCpu(const Program& program, const Trial& trial) {
     const auto handle = (*device)->Load(program);
     EXPECT_TRUE(handle.ok()) << handle.error().reason;
     Words out(std::size_t{program.output_words} * trial.rows());
-    return (*device)->Run(*handle, trial.rows(), trial.inputs(), out).ok() ? out : Words{};
+    return (*device)->Run(*handle, trial.rows(), trial.inputs(), out, nullptr).ok() ? out : Words{};
 }
 
 bool IsDrivers(const std::string& culprit) {

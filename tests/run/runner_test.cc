@@ -86,6 +86,21 @@ TEST_F(RunnerTest, GivesEveryRow) {
     EXPECT_EQ(runner.flake(), "");
 }
 
+TEST_F(RunnerTest, TimesWhatItIsAskedTo) {
+    max_rows_ = 100;
+    Runner runner = Open("echo");
+    max_rows_ = 1u << 20;
+    const std::vector<std::uint32_t> words(350, 1);
+    RunTime time{1e9, RunTime::Clock::kDevice, 1e9};
+    const Stopwatch stopwatch;
+    ASSERT_TRUE(runner.Evaluate(
+        call_, signature_, Recipe{}, Rows{words, 350, 1},
+        [](std::uint64_t, std::uint32_t, std::span<const std::uint32_t>) {}, &time));
+    EXPECT_GT(time.seconds, 0);
+    EXPECT_LT(time.seconds, stopwatch.Read().seconds);
+    EXPECT_EQ(time.clock, RunTime::Clock::kHost);
+}
+
 TEST_F(RunnerTest, KeepsTheDevicesLimitOfRows) {
     max_rows_ = 100;
     Runner runner = Open("echo");

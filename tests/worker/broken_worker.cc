@@ -55,7 +55,7 @@ bool Misbehave(const std::string& fault) {
     } else if (fault == "hang-up") {
         close(3);
     } else if (fault == "deaf") {
-        constexpr std::size_t kInfo = 1 + 6 * 8 + 2 * 8 + 3 * 4 + 1;  // DeviceInfo of empty fields
+        constexpr std::size_t kInfo = 1 + 6 * 8 + 2 * 8 + 3 * 4 + 2;  // DeviceInfo of empty fields
         answer(kInfo, std::string(1, '\1') + std::string(kInfo - 1, '\0'));
     }
     pause();

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 namespace etalon {
 namespace {
 
@@ -80,10 +82,11 @@ TEST(Message, CarriesTheOtherRequests) {
     EXPECT_EQ(copy.candidate.driver, "mine");
     EXPECT_EQ(copy.candidate.environment, open.candidate.environment);
 
-    const auto run = DecodeRequest(Body(Encode(RunRequest{7, {8, 9, 10}})));
+    const auto run = DecodeRequest(Body(Encode(RunRequest{7, {8, 9, 10}, true})));
     ASSERT_TRUE(run && std::holds_alternative<RunRequest>(*run));
     EXPECT_EQ(std::get<RunRequest>(*run).handle, 7u);
     EXPECT_EQ(std::get<RunRequest>(*run).batch.output_words, 10u);
+    EXPECT_TRUE(std::get<RunRequest>(*run).is_timed);
 }
 
 TEST(Message, CarriesAnswers) {
@@ -94,6 +97,7 @@ TEST(Message, CarriesAnswers) {
     info.float_controls = {"RoundingModeRTE"};
     info.glsl_version = 450;
     info.siblings = 3;
+    info.on_host = true;
     info.slow = true;
     const auto answer = DecodeAnswer<DeviceInfo>(Body(EncodeAnswer<DeviceInfo>(info)));
     ASSERT_TRUE(answer && answer->ok());
@@ -102,13 +106,32 @@ TEST(Message, CarriesAnswers) {
     EXPECT_THAT((*answer)->features, ElementsAre("compute", "float64"));
     EXPECT_THAT((*answer)->float_controls, ElementsAre("RoundingModeRTE"));
     EXPECT_EQ((*answer)->siblings, 3u);
+    EXPECT_TRUE((*answer)->on_host);
     EXPECT_TRUE((*answer)->slow);
+
+    const auto time = DecodeAnswer<RunTime>(
+        Body(EncodeAnswer<RunTime>(RunTime{0.25, RunTime::Clock::kDevice, 0.5})));
+    ASSERT_TRUE(time && time->ok());
+    EXPECT_EQ((*time)->seconds, 0.25);
+    EXPECT_EQ((*time)->clock, RunTime::Clock::kDevice);
+    EXPECT_EQ((*time)->processor_seconds, 0.5);
 
     const auto refusal = DecodeAnswer<RunTime>(Body(EncodeAnswer<RunTime>(
         DeviceFailure{DeviceFailure::Kind::kRejected, "0:1: no\n\x1b[31m\xff"})));
     ASSERT_TRUE(refusal && !refusal->ok());
     EXPECT_EQ(refusal->error().kind, DeviceFailure::Kind::kRejected);
     EXPECT_EQ(refusal->error().reason, "0:1: no\n?[31m?");
+}
+
+TEST(Message, RefusesATimeThatIsNone) {
+    const auto refused = [](RunTime time) {
+        return !DecodeAnswer<RunTime>(Body(EncodeAnswer<RunTime>(time)));
+    };
+    EXPECT_FALSE(refused({}));
+    EXPECT_TRUE(refused({-1e-9}));
+    EXPECT_TRUE(refused({std::nan("")}));
+    EXPECT_TRUE(refused({1, RunTime::Clock{2}}));
+    EXPECT_TRUE(refused({1, RunTime::Clock::kHost, HUGE_VAL}));
 }
 
 TEST(Message, CutsALongReason) {

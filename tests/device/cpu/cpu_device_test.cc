@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "device/timing.h"
 #include "evaluate/probed.h"
 
 namespace etalon {
@@ -27,8 +28,16 @@ TEST(CpuDevice, RunsProbes) {
     ASSERT_TRUE(handle.ok()) << handle.error().reason;
     const std::vector<std::uint32_t> inputs = {1, 2, 0xffffffffu};
     std::vector<std::uint32_t> outputs(3);
-    ASSERT_TRUE(device->Run(*handle, 3, inputs, outputs).ok());
+    ASSERT_TRUE(device->Run(*handle, 3, inputs, outputs, nullptr).ok());
     EXPECT_THAT(outputs, ElementsAre(3u, 6u, 0xfffffffdu));
+}
+
+TEST(CpuDevice, TimesRuns) {
+    const Probed probed(
+        "uint f(uint x) { for (int i = 0; i < 100; ++i) { x = x * 3u + 1u; } return x; }", "f(x)",
+        {"uint x"});
+    const auto device = Open();
+    ExpectTimesToGrow(*device, *device->Load(probed.program()), 1u << 14);
 }
 
 TEST(CpuDevice, TellsWhatItCannotDo) {
@@ -53,7 +62,7 @@ TEST(CpuDevice, TellsOfALoopWithoutEnd) {
     ASSERT_TRUE(handle.ok());
     std::vector<std::uint32_t> outputs(1);
     const std::vector<std::uint32_t> inputs = {2};
-    const auto ran = device->Run(*handle, 1, inputs, outputs);
+    const auto ran = device->Run(*handle, 1, inputs, outputs, nullptr);
     ASSERT_FALSE(ran.ok());
     EXPECT_THAT(ran.error().reason, HasSubstr("a loop does not end"));
 }

@@ -12,6 +12,7 @@
 #include <iostream>
 #include <numeric>
 
+#include "device/timing.h"
 #include "in_child.h"
 #include "source.h"
 
@@ -69,7 +70,7 @@ void ExpectOutputs(Device& device, std::uint32_t handle, std::uint32_t rows, con
         return;
     }
     Words outputs(std::size_t{rows} * output_words, 0xdeadbeef);
-    auto done = device.Run(handle, rows, inputs, outputs);
+    auto done = device.Run(handle, rows, inputs, outputs, nullptr);
     ASSERT_TRUE(done.ok()) << done.error().reason;
     for (std::uint32_t column = 0; column < output_words; ++column) {
         for (std::uint32_t row = 0; row < rows; ++row) {
@@ -162,6 +163,22 @@ TEST_P(GlDeviceTest, FloatsAreComputed) {
                 [](std::uint32_t row, std::uint32_t) {
                     return std::bit_cast<std::uint32_t>(static_cast<float>(row) * 0.125f + 1.0f);
                 });
+        }
+    });
+}
+
+TEST_P(GlDeviceTest, TimesRuns) {
+    WithDevice([](Device& device) {
+        const Source source{"",
+                            "    uint a = word[0];\n"
+                            "    for (int k = 0; k < 100; ++k) {\n"
+                            "        a = a * 1664525u + 1013904223u;\n    }\n"
+                            "    result[0] = a;\n",
+                            1, 1};
+        for (const Way& way : Ways(device.info(), source)) {
+            SCOPED_TRACE(way.name);
+            ExpectTimesToGrow(device, MustLoad(device, way.program),
+                              device.info().slow ? 1u << 13 : 1u << 17);
         }
     });
 }

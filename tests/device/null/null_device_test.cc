@@ -50,7 +50,7 @@ TEST(NullDevice, TheFlawIsInOneFloat) {
     ASSERT_TRUE(one);
     const std::vector<std::uint32_t> inputs = {0x3f333332u, 0x3f333333u, 0x3f333334u};
     std::vector<std::uint32_t> outputs(3);
-    ASSERT_TRUE(device->Run(*one, 3, inputs, outputs));
+    ASSERT_TRUE(device->Run(*one, 3, inputs, outputs, nullptr));
     EXPECT_THAT(outputs, ElementsAre(0x3f333332u, 0x3f333335u, 0x3f333334u));
 }
 
@@ -62,10 +62,10 @@ TEST(NullDevice, EchoesByColumns) {
     ASSERT_TRUE(none && two);
     const std::vector<std::uint32_t> inputs = {1, 2, 3, 11, 12, 13};
     std::vector<std::uint32_t> outputs(9, 99);
-    ASSERT_TRUE(device->Run(*two, 3, inputs, outputs));
+    ASSERT_TRUE(device->Run(*two, 3, inputs, outputs, nullptr));
     EXPECT_THAT(outputs, ElementsAre(1, 2, 3, 11, 12, 13, 1, 2, 3));
     outputs.assign(2, 99);
-    ASSERT_TRUE(device->Run(*none, 2, {}, outputs));
+    ASSERT_TRUE(device->Run(*none, 2, {}, outputs, nullptr));
     EXPECT_THAT(outputs, ElementsAre(0, 0));
 }
 
@@ -77,7 +77,7 @@ TEST(NullDevice, RefusesInItsWays) {
     const auto handle = lost->Load(Shape(1, 1));
     ASSERT_TRUE(handle);
     std::uint32_t word = 5;
-    EXPECT_EQ(lost->Run(*handle, 1, {&word, 1}, {&word, 1}).error().kind,
+    EXPECT_EQ(lost->Run(*handle, 1, {&word, 1}, {&word, 1}, nullptr).error().kind,
               DeviceFailure::Kind::kLost);
     EXPECT_EQ(OpenNullDevice(Named("sleeps")).error().reason, "the null device knows no 'sleeps'");
 }
@@ -93,7 +93,7 @@ void RunOnce(const Candidate& candidate) {
     const auto handle = device->Load(Shape(1, 1));
     const std::uint32_t in = 7;
     std::uint32_t out = 0;
-    EXPECT_TRUE(device->Run(*handle, 1, {&in, 1}, {&out, 1}));
+    EXPECT_TRUE(device->Run(*handle, 1, {&in, 1}, {&out, 1}, nullptr));
     EXPECT_EQ(out, 7u);
 }
 

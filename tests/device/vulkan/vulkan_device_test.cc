@@ -16,6 +16,7 @@
 #include <numeric>
 
 #include "base/file.h"
+#include "device/timing.h"
 
 // Drivers keep memory when they are unloaded, which a build with sanitizers would count as leaks.
 extern "C" const char* __asan_default_options();   // NOLINT(bugprone-reserved-identifier)
@@ -80,6 +81,11 @@ constexpr const char* kBody =
     "o.words[row] = floatBitsToUint(a * 0.5 + b);\n"
     "o.words[rows + row] = row;\n";
 
+constexpr const char* kLong =
+    "uint a = i.words[row];\n"
+    "for (int k = 0; k < 100; ++k) { a = a * 1664525u + 1013904223u; }\n"
+    "o.words[row] = a;\n";
+
 // As the program started: entering a candidate changes what would be found.
 const std::vector<Candidate>& AllCandidates() {
     static const std::vector<Candidate> candidates = VulkanCandidates({});
@@ -111,7 +117,7 @@ struct Subject {
                                    const std::vector<std::uint32_t>& inputs,
                                    std::uint32_t output_words) {
         std::vector<std::uint32_t> outputs(std::size_t{output_words} * rows, 0xdeadbeef);
-        const auto done = device->Run(handle, rows, inputs, outputs);
+        const auto done = device->Run(handle, rows, inputs, outputs, nullptr);
         EXPECT_TRUE(done.ok()) << done.error().reason;
         return outputs;
     }
@@ -206,6 +212,17 @@ TEST(VulkanDevice, RunsBakedInputs) {
         const auto outputs = subject.Run(handle, 1000, {}, 1);
         for (std::uint32_t row = 0; row < 1000; ++row) {
             ASSERT_EQ(outputs[row], row * 3 + 1000);
+        }
+    });
+}
+
+TEST(VulkanDevice, TimesRuns) {
+    OnEveryDevice([](Subject& subject) {
+        for (const Stage stage : {Stage::kCompute, Stage::kFragment}) {
+            if (stage == Stage::kCompute || subject.HasFragment()) {
+                ExpectTimesToGrow(*subject.device, subject.Load(MakeProgram(stage, 1, 1, kLong)),
+                                  1u << 17);
+            }
         }
     });
 }
