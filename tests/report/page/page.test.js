@@ -137,6 +137,7 @@ test("a row opens its worst inputs by the keyboard", async () => {
 test("a command is copied by its button", async () => {
     const { page } = await openPage(browser, html);
     await page.evaluate(() => { document.execCommand = () => { window.copied = document.activeElement.value; return true; }; Object.defineProperty(navigator, "clipboard", { value: { writeText: () => Promise.reject(new Error("no")) } }); });
+    await drawEverything(page);  // what is drawn above it would move it away from the mouse
     await page.click("#maps > article > .command button");
     await page.waitForFunction(() => window.copied, { timeout: 5000 });
     assert.equal(await page.evaluate(() => window.copied), "etalon map optics/snell/refract --over cos_theta_i,n2 --size 96x64 --at n1=1.6");
