@@ -28,15 +28,26 @@ float by_mix(float d, float k)
     return mix(1.0, exp2(-d), k);
 }
 
-#ifdef TERMS
-// The reciprocal of the exponential's series, by Horner's rule.
-float by_series(float d, float k)
+#ifdef DEGREE
+// 2^-y, y up to 126: the exponent's bits from the integer part, and a polynomial, the best of its
+// degree that is exact at both ends, for the rest.
+float by_polynomial(float d, float k)
 {
-    float y = 0.69314718056 * k * d;
-    float sum = 1.0;
-    for (int i = TERMS; i > 0; --i) {
-        sum = 1.0 + sum * y / float(i);
-    }
-    return 1.0 / sum;
+    float x = -min(k * d, 126.0);
+    float whole = floor(x);
+    float f = x - whole;
+#if DEGREE == 1
+    float power = 1.0 + f;
+#elif DEGREE == 2
+    float power = 1.0 + f * (0.660233971 + f * 0.339766029);
+#elif DEGREE == 3
+    float power = 1.0 + f * (0.695424347 + f * (0.226307683 + f * 0.07826797));
+#elif DEGREE == 4
+    float power = 1.0 + f * (0.693032121 + f * (0.241379763 + f * (0.052032369 + f * 0.013555747)));
+#elif DEGREE == 5
+    float power = 1.0 + f * (0.693151739 + f * (0.240159271 + f * (0.055818676 + f * (0.008990995
+                           + f * 0.001879319))));
+#endif
+    return intBitsToFloat((int(whole) + 127) << 23) * power;
 }
 #endif

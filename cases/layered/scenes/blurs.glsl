@@ -13,8 +13,8 @@ float two_passes(vec2 uv, float sigma, int radius)
            gaussian_blur(uv, vec2(0.0, BLURS_TEXEL), sigma, radius).x - picture(uv).x;
 }
 
-// The mean of four reads of a level, whose texels are r / 2 wide. Their boxes and the filter between
-// them spread as a disc of r / 2 would; the reads' places do the rest of a disc of r.
+// The mean of four reads of a level, whose texels are r / 2 wide. Their boxes and the filter
+// between them spread as a disc of r / 2 would; the reads' places do the rest of a disc of r.
 float four_reads(vec2 uv, float r)
 {
     float level = log2(0.5 * r);

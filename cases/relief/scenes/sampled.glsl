@@ -1,5 +1,6 @@
-// A solid layer of texels as a shader reads it: solid_map's first channel is z, and the sampler's own
-// filter makes it bilinear, so that a height is one fetch. The translucent layer is the box's floor.
+// A solid layer of texels as a shader reads it: solid_map's first channel is z, and the sampler's
+// own filter makes it bilinear, so that a height is one fetch. The translucent layer is the box's
+// floor.
 
 #ifdef GL_ES
 precision highp float;

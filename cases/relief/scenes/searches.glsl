@@ -1,5 +1,5 @@
-// The searches that a family compares, put together of the library's parts: no height is read twice.
-// Each returns the way to the solid layer in box heights, negative for none.
+// The searches that a family compares, put together of the library's parts: no height is read
+// twice. Each returns the way to the solid layer in box heights, negative for none.
 #include "relief/adaptive.glsl"
 
 float linear_way(ReliefRay ray, int steps)
