@@ -28,17 +28,10 @@ float solid_height(vec2 uv)
     return decode_height(textureLod(solid_height_map, uv, 0.0).x, 0.2, -0.25);
 }
 
-#ifdef NO_LAYER
-float translucent_height(vec2 uv)
-{
-    return -0.5;
-}
-#else
 float translucent_height(vec2 uv)
 {
     return decode_height(textureLod(translucent_height_map, uv, 0.0).x, 1.0, -0.5);
 }
-#endif
 
 vec3 solid_normal_texel(vec2 uv)
 {
