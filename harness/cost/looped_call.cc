@@ -67,7 +67,8 @@ class LoopWriter {
                "    do {\n        cost_none = cost_turn >> " +
                std::to_string(kUnsetBit) + ";\n" + turn +
                "        ++cost_turn;\n    } while (cost_turn < turns);\n    done = cost_turn;\n"
-               "    return cost_carry + float(cost_sum & cost_none);\n}\n";
+               "    return intBitsToFloat(floatBitsToInt(cost_carry) ^ (cost_sum & "
+               "cost_none));\n}\n";
     }
 
   private:
@@ -101,7 +102,9 @@ class LoopWriter {
                 const std::string value = argument.name + leaf.path;
                 text += "            " + value + " = cost_vary(" + value + ", cost_zero);\n" +
                         "            cost_sum += " + AsInt(value, leaf.scalar) + ";\n";
-                any_input_ = AsFloat(value, leaf.scalar);
+                any_input_ = leaf.scalar == Scalar::kFloat
+                                 ? value
+                                 : "intBitsToFloat(" + AsInt(value, leaf.scalar) + ")";
             }
         }
         return text;
