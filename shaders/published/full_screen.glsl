@@ -3,8 +3,8 @@
 // With all of them a fragment is that of translucent_surface in translucent.glsl.
 //
 // The sources give the last program and the names of the steps that lead to it, not the programs in
-// between. What stands in for a technique that is not there yet is told at each of them below; it is
-// cheap, and made from what the earlier techniques have found, so that no compiler can drop them.
+// between. What stands in for a technique that is not there yet is told at each of them below. It
+// is cheap, and made from what the earlier techniques have found: no compiler can drop those.
 #ifndef ETALON_PUBLISHED_FULL_SCREEN
 #define ETALON_PUBLISHED_FULL_SCREEN
 
@@ -37,7 +37,7 @@ vec3 direction_color(vec3 ray)
 
 // The point at which a ray meets the solid layer: samples at `first`, first + way, ... until one is
 // below the layer, then `iterations` bisections, then one secant step. Without the last it is the
-// bracket's lower end: with n steps for the box, up to 2^-iterations / n of the box's height too low.
+// bracket's lower end: with n steps for the box up to 2^-iterations / n of its height too low.
 // Endless where no height is ever above the ray.
 vec3 find_solid(vec3 first, vec3 way, int iterations, bool approximate)
 {
@@ -157,8 +157,8 @@ vec3 refraction_sample(vec3 entry, vec3 ray, TranslucentSurface surface, int tec
     return seen;
 }
 
-// What the eye sees along the mirrored ray: its direction, until there are surroundings. There is no
-// highlight at all before its corrected form.
+// What the eye sees along the mirrored ray: its direction, until there are surroundings. There is
+// no highlight at all before its corrected form.
 vec3 reflection_sample(vec3 ray, vec3 point, vec3 normal, vec3 eye, TranslucentSurface surface,
                        int techniques)
 {
