@@ -1,5 +1,6 @@
 #include "chart/bounds.h"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 
@@ -20,6 +21,10 @@ double ErrorOf(const ChartPoint& point, double ChartAccuracy::*error) {
 }  // namespace
 
 void AddFrontAndBounds(ChartRecord& chart) {
+    if (std::none_of(chart.points.begin(), chart.points.end(),
+                     [](const ChartPoint& point) { return point.accuracy.has_value(); })) {
+        return;
+    }
     // Groups in the order of their first points.
     std::vector<std::pair<std::string, std::string>> groups;
     std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> points;

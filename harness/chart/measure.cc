@@ -1,8 +1,11 @@
 #include "chart/measure.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <mutex>
 #include <ostream>
+#include <thread>
 
 #include "run/fit.h"
 #include "run/progress.h"
@@ -66,28 +69,70 @@ class Measuring {
                                  : PrepareCall(source, std::move(table));
     }
 
-    Status<> MeasureScene(std::size_t scene) {
-        std::vector<PreparedCase> prepared;
-        std::vector<Result<CountedCall>> counts;
-        for (std::size_t p = 0; p < plan_.points.size(); ++p) {
-            auto one = PrepareAPoint(family_.points[plan_.points[p]].cases[scene]);
-            if (!one) {
-                const std::string& name = family_.scenes[scene].name;
-                return Error{one.error().message + " (" + LabelAt(p) +
-                             (name.empty() ? "" : ", scene '" + name + "'") + ")"};
+    // A point in a scene, and what is counted of it.
+    struct Ready {
+        PreparedCase prepared;
+        Result<CountedCall> counts;
+    };
+
+    Result<Ready> MakeReady(std::size_t p, std::size_t scene) const {
+        auto one = PrepareAPoint(family_.points[plan_.points[p]].cases[scene]);
+        if (!one) {
+            const std::string& name = family_.scenes[scene].name;
+            return Error{one.error().message + " (" + LabelAt(p) +
+                         (name.empty() ? "" : ", scene '" + name + "'") + ")"};
+        }
+        Result<CountedCall> counts = CountOperations(*one);
+        return Ready{std::move(*one), std::move(counts)};
+    }
+
+    // All points, on all cores: most of the time goes into compiling. Of several mistakes the first
+    // one, in the order of the points, is the error.
+    Result<std::vector<Ready>> MakeAllReady(std::size_t scene) {
+        std::vector<std::optional<Result<Ready>>> made(plan_.points.size());
+        std::atomic<std::size_t> next = 0;
+        std::mutex drawing;
+        const auto work = [&] {
+            for (std::size_t p = next++; p < made.size(); p = next++) {
+                made[p] = MakeReady(p, scene);
+                const std::lock_guard lock(drawing);
+                progress_.Step(LabelAt(p));
             }
-            prepared.push_back(std::move(*one));
-            counts.push_back(CountOperations(prepared.back()));
-            progress_.Step(LabelAt(p));
+        };
+        std::vector<std::thread> threads;
+        const std::size_t wanted =
+            std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), made.size());
+        for (std::size_t i = 1; i < wanted; ++i) {
+            threads.emplace_back(work);
+        }
+        work();
+        for (std::thread& thread : threads) {
+            thread.join();
+        }
+        std::vector<Ready> ready;
+        for (std::optional<Result<Ready>>& one : made) {
+            if (!*one) {
+                return one->error();
+            }
+            ready.push_back(std::move(**one));
+        }
+        return ready;
+    }
+
+    Status<> MeasureScene(std::size_t scene) {
+        ETALON_TRY(ready, MakeAllReady(scene));
+        std::vector<PreparedCase> prepared;
+        for (Ready& one : ready) {
+            prepared.push_back(std::move(one.prepared));
         }
         for (std::size_t d = 0; d < runners_.size(); ++d) {
             ETALON_TRY_STEP(MeasureOn(*runners_[d], scene, prepared, found_[d]));
             for (std::size_t p = 0; p < plan_.points.size(); ++p) {
                 Found& found = found_[d][p].back();
-                if (counts[p]) {
-                    found.counts = *counts[p];
+                if (ready[p].counts) {
+                    found.counts = *ready[p].counts;
                 } else {
-                    found.AddReason("no counts: " + counts[p].error().message);
+                    found.AddReason("no counts: " + ready[p].counts.error().message);
                 }
             }
         }

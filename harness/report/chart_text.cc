@@ -231,11 +231,12 @@ std::string ChartText(const ChartRecord& chart, bool with_scenes) {
     }
     text += chart.cost_by == "time" ? "  times     over that of '" + chart.reference + "'\n"
                                     : "  cost      operations of a call\n";
-    text += "  marks     * on the front of cost and worst error" +
-            std::string(std::any_of(chart.points.begin(), chart.points.end(),
-                                    [](const ChartPoint& point) { return point.refused; })
-                            ? ", ! refused by the family's 'accept'\n"
-                            : "\n");
+    const bool has_refused = std::any_of(chart.points.begin(), chart.points.end(),
+                                         [](const ChartPoint& point) { return point.refused; });
+    if (has_errors) {
+        text += "  marks     * on the front of cost and worst error" +
+                std::string(has_refused ? ", ! refused by the family's 'accept'\n" : "\n");
+    }
     for (const DeviceInfo& device : chart.devices) {
         const bool is_named = chart.scenes.size() > 1 || !chart.scenes.front().name.empty();
         if (with_scenes && is_named) {

@@ -70,5 +70,15 @@ TEST(BoundsTest, WithoutTimesTheCostIsOperations) {
     EXPECT_FALSE(chart.points[2].front);  // has no cost
 }
 
+TEST(BoundsTest, WithoutErrorsThereAreNone) {
+    ChartRecord chart;
+    chart.cost_by = "time";
+    chart.points = {PointOf("a", 1, 0, 0)};
+    chart.points[0].accuracy.reset();
+    AddFrontAndBounds(chart);
+    EXPECT_TRUE(chart.bounds.empty());
+    EXPECT_FALSE(chart.points[0].front);
+}
+
 }  // namespace
 }  // namespace etalon
