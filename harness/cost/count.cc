@@ -134,6 +134,10 @@ class Counter {
                 Operations operations = full[row];
                 operations -= empty[row];
                 operations -= adding_;
+                // To add a call's result that is a constant may take less than to add an input.
+                for (std::int64_t& count : operations.counts) {
+                    count = std::max<std::int64_t>(count, 0);
+                }
                 counted.Add(first + row, operations);
             }
         }

@@ -153,8 +153,7 @@ Operations OfGlsl(const Step& step) {
         default:
             break;
     }
-    ETALON_CHECK(false && "a function of operations.def without a count");
-    return {};
+    CheckFailed(__FILE__, __LINE__, "a function of glsl_operations.def has no count");
 }
 
 }  // namespace
@@ -288,8 +287,7 @@ Operations OperationsOf(const Plan& plan, const Step& step) {
         default:
             break;
     }
-    ETALON_CHECK(false && "an instruction of operations.def without a count");
-    return {};
+    CheckFailed(__FILE__, __LINE__, "an instruction of operations.def has no count");
 }
 
 Result<std::vector<Operations>> CountOperations(const std::shared_ptr<const Plan>& plan,

@@ -167,6 +167,7 @@ TEST_F(CountTest, CountsWhateverTheTypesOfTheResults) {
     text.arguments.push_back({"z", "vec2", false, true});
     EXPECT_EQ(Count(text).mean.arithmetic, 3);
     EXPECT_EQ(Mean("float f(float x) { return x; }", "f(x)"), OperationCounts{});
+    EXPECT_EQ(Mean("float f(float x) { return 0.0; }", "f(x)"), OperationCounts{});
 }
 
 TEST_F(CountTest, TellsProgramsApart) {
