@@ -59,7 +59,8 @@ void Put(Image& image, std::span<const double> values, std::uint32_t width, std:
 
 class Baker {
   public:
-    Baker(const Image& image, const Plan& plan) : image_(image), plan_(plan) {}
+    Baker(const Image& image, const Plan& plan, const PartDone& done)
+        : image_(image), plan_(plan), done_(done) {}
 
     Result<Image> Bake() {
         ETALON_TRY_STEP(CheckPlan());
@@ -68,15 +69,17 @@ class Baker {
             case Kind::kDistance:
                 return Tiles(Distances(heights), Rounding::kDown);
             case Kind::kCone:
-                return Tiles(plan_.published ? SampledCones(heights) : SafeCones(heights),
-                             Rounding::kDown);
-            case Kind::kRelaxedCone:
                 return Tiles(
-                    plan_.published ? SampledRelaxedCones(heights) : SafeRelaxedCones(heights),
+                    plan_.published ? SampledCones(heights, done_) : SafeCones(heights, done_),
                     Rounding::kDown);
+            case Kind::kRelaxedCone:
+                return Tiles(plan_.published ? SampledRelaxedCones(heights, done_)
+                                             : SafeRelaxedCones(heights, done_),
+                             Rounding::kDown);
             case Kind::kHorizon:
-                return Tiles(HorizonTangents(heights, static_cast<int>(tiles_), kReach * unit_),
-                             Rounding::kNearest);
+                return Tiles(
+                    HorizonTangents(heights, static_cast<int>(tiles_), kReach * unit_, done_),
+                    Rounding::kNearest);
             case Kind::kMaxMip:
                 break;
         }
@@ -153,7 +156,7 @@ class Baker {
     std::vector<double> Distances(const Heights& heights) const {
         const auto measure = plan_.published ? SampledDistances : SafeDistances;
         std::vector<double> distances =
-            measure(heights, -0.5 * unit_, 0.5 * unit_, static_cast<int>(tiles_)).distances;
+            measure(heights, -0.5 * unit_, 0.5 * unit_, static_cast<int>(tiles_), done_).distances;
         for (double& distance : distances) {
             distance /= unit_;
         }
@@ -193,6 +196,7 @@ class Baker {
 
     const Image& image_;
     const Plan& plan_;
+    const PartDone& done_;
     std::uint32_t tiles_ = 1;
     double unit_ = 1;  // texels to a box height
 };
@@ -221,8 +225,8 @@ std::uint32_t TileColumns(std::uint32_t tiles) {
     return columns;
 }
 
-Result<Image> Bake(const Image& heights, const Plan& plan) {
-    return Baker(heights, plan).Bake();
+Result<Image> Bake(const Image& heights, const Plan& plan, const PartDone& done) {
+    return Baker(heights, plan, done).Bake();
 }
 
 }  // namespace etalon::bake

@@ -20,6 +20,7 @@
 #include <string>
 #include <string_view>
 
+#include "bake/heights.h"
 #include "base/result.h"
 #include "image/image.h"
 
@@ -51,6 +52,6 @@ std::uint32_t TileColumns(std::uint32_t tiles);
 
 // The map, alike in red, green and blue; alpha is 1. Fails with a reason that names no place where
 // the plan does not fit the kind or the image, or a height is beyond the box.
-Result<Image> Bake(const Image& heights, const Plan& plan);
+Result<Image> Bake(const Image& heights, const Plan& plan, const PartDone& done = {});
 
 }  // namespace etalon::bake

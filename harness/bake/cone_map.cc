@@ -105,7 +105,7 @@ class Cells {
     std::vector<Bounds> cells_;
 };
 
-std::vector<double> Safe(const Heights& heights, bool relaxed) {
+std::vector<double> Safe(const Heights& heights, bool relaxed, const PartDone& done) {
     const Cells cells(heights);
     const auto width = static_cast<std::size_t>(heights.width());
     std::vector<double> steepest;
@@ -113,6 +113,7 @@ std::vector<double> Safe(const Heights& heights, bool relaxed) {
         for (int i = 0; i < heights.width(); ++i) {
             steepest.push_back(cells.Steepest(i, j, relaxed));
         }
+        Tell(done, heights.height());
     }
     const auto of = [&](int i, int j) {
         return steepest[static_cast<std::size_t>(Heights::Wrapped(j, heights.height())) * width +
@@ -129,7 +130,7 @@ std::vector<double> Safe(const Heights& heights, bool relaxed) {
     return ratios;
 }
 
-std::vector<double> Sampled(const Heights& heights, bool relaxed) {
+std::vector<double> Sampled(const Heights& heights, bool relaxed, const PartDone& done) {
     std::vector<double> ratios;
     for (int j = 0; j < heights.height(); ++j) {
         for (int i = 0; i < heights.width(); ++i) {
@@ -150,26 +151,27 @@ std::vector<double> Sampled(const Heights& heights, bool relaxed) {
             }
             ratios.push_back(1 / most);
         }
+        Tell(done, heights.height());
     }
     return ratios;
 }
 
 }  // namespace
 
-std::vector<double> SafeCones(const Heights& heights) {
-    return Safe(heights, false);
+std::vector<double> SafeCones(const Heights& heights, const PartDone& done) {
+    return Safe(heights, false, done);
 }
 
-std::vector<double> SafeRelaxedCones(const Heights& heights) {
-    return Safe(heights, true);
+std::vector<double> SafeRelaxedCones(const Heights& heights, const PartDone& done) {
+    return Safe(heights, true, done);
 }
 
-std::vector<double> SampledCones(const Heights& heights) {
-    return Sampled(heights, false);
+std::vector<double> SampledCones(const Heights& heights, const PartDone& done) {
+    return Sampled(heights, false, done);
 }
 
-std::vector<double> SampledRelaxedCones(const Heights& heights) {
-    return Sampled(heights, true);
+std::vector<double> SampledRelaxedCones(const Heights& heights, const PartDone& done) {
+    return Sampled(heights, true, done);
 }
 
 }  // namespace etalon::bake

@@ -18,16 +18,16 @@ inline constexpr double kWidestCone = 64;
 // less wide than the widest such cone where cells are close (by half at a step in the heights).
 // Every cell is held against rings of others until a wider ring cannot matter: the square of the
 // number of texels at worst, on fields with details everywhere about 100 cells for each.
-std::vector<double> SafeCones(const Heights& heights);
+std::vector<double> SafeCones(const Heights& heights, const PartDone& done = {});
 
 // Safe, and relaxed: a ray that comes down from above the tip enters the surface in the cone at
 // most once, and does not leave it again there. Wider where the surface only rises away from the
 // tip. The same work.
-std::vector<double> SafeRelaxedCones(const Heights& heights);
+std::vector<double> SafeRelaxedCones(const Heights& heights, const PartDone& done = {});
 
 // As published: from the texels' centres to each other; nothing between them is considered. Relaxed
 // ones stop at those texels beyond which the field falls.
-std::vector<double> SampledCones(const Heights& heights);
-std::vector<double> SampledRelaxedCones(const Heights& heights);
+std::vector<double> SampledCones(const Heights& heights, const PartDone& done = {});
+std::vector<double> SampledRelaxedCones(const Heights& heights, const PartDone& done = {});
 
 }  // namespace etalon::bake

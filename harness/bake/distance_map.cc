@@ -80,7 +80,7 @@ class LineTransform {
 
 // The distances to vertical columns, `detail` of them to a texel each way.
 DistanceMap ToColumns(const Heights& heights, const std::vector<double>& tops, int detail,
-                      double floor, double top, int slices) {
+                      double floor, double top, int slices, const PartDone& done) {
     const int columns = heights.width() * detail;
     const int rows = heights.height() * detail;
     const auto width = static_cast<std::size_t>(heights.width());
@@ -112,6 +112,7 @@ DistanceMap ToColumns(const Heights& heights, const std::vector<double>& tops, i
                 });
         }
         slice += width * static_cast<std::size_t>(heights.height());
+        Tell(done, slices);
     }
     map.steps = along_row.steps() + along_column.steps();
     return map;
@@ -151,9 +152,10 @@ std::vector<double> RaisedColumns(const Heights& heights, int detail) {
 
 }  // namespace
 
-DistanceMap SafeDistances(const Heights& heights, double floor, double top, int slices) {
+DistanceMap SafeDistances(const Heights& heights, double floor, double top, int slices,
+                          const PartDone& done) {
     DistanceMap map =
-        ToColumns(heights, RaisedColumns(heights, kDetail), kDetail, floor, top, slices);
+        ToColumns(heights, RaisedColumns(heights, kDetail), kDetail, floor, top, slices, done);
     // The distance at a point is not less than that at a voxel's corner without the way between
     // them, and the mean way to the corners, weighted as they are read, is at most half a diagonal.
     const double between_slices = (top - floor) / slices;
@@ -165,14 +167,15 @@ DistanceMap SafeDistances(const Heights& heights, double floor, double top, int 
     return map;
 }
 
-DistanceMap SampledDistances(const Heights& heights, double floor, double top, int slices) {
+DistanceMap SampledDistances(const Heights& heights, double floor, double top, int slices,
+                             const PartDone& done) {
     std::vector<double> tops;
     for (int j = 0; j < heights.height(); ++j) {
         for (int i = 0; i < heights.width(); ++i) {
             tops.push_back(heights.Texel(i, j));
         }
     }
-    return ToColumns(heights, tops, 1, floor, top, slices);
+    return ToColumns(heights, tops, 1, floor, top, slices, done);
 }
 
 }  // namespace etalon::bake

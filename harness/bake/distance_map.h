@@ -24,10 +24,12 @@ struct DistanceMap {
 // is less by up to the voxel's diagonal and half a texel, and is negative within the solid and
 // beside it. To be clamped after it has been read and not before: interpolated between clamped
 // values it would be too great.
-DistanceMap SafeDistances(const Heights& heights, double floor, double top, int slices);
+DistanceMap SafeDistances(const Heights& heights, double floor, double top, int slices,
+                          const PartDone& done = {});
 
 // As published: the distance to the columns under the texels' centres, 0 within them. Between its
 // points it may be too great.
-DistanceMap SampledDistances(const Heights& heights, double floor, double top, int slices);
+DistanceMap SampledDistances(const Heights& heights, double floor, double top, int slices,
+                             const PartDone& done = {});
 
 }  // namespace etalon::bake

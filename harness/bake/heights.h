@@ -2,9 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace etalon::bake {
+
+// Told after each part of the work, of which there are `parts` equal ones. May be empty.
+using PartDone = std::function<void(std::int64_t parts)>;
+
+inline void Tell(const PartDone& done, std::int64_t parts) {
+    if (done) {
+        done(parts);
+    }
+}
 
 // Lengths are in texels in every direction: a height of 2 is as long as two texels are wide. The
 // field repeats, and is bilinear between the texels' centres, which lie at integers.

@@ -100,7 +100,8 @@ class Horizons {
 
 }  // namespace
 
-std::vector<double> HorizonTangents(const Heights& heights, int bearings, double reach) {
+std::vector<double> HorizonTangents(const Heights& heights, int bearings, double reach,
+                                    const PartDone& done) {
     const Horizons horizons(heights, reach);
     std::vector<double> tangents;
     for (int k = 0; k < bearings; ++k) {
@@ -112,6 +113,7 @@ std::vector<double> HorizonTangents(const Heights& heights, int bearings, double
             for (int i = 0; i < heights.width(); ++i) {
                 tangents.push_back(horizons.Tangent(i, j, cosine, sine));
             }
+            Tell(done, std::int64_t{bearings} * heights.height());
         }
     }
     return tangents;

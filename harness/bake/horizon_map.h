@@ -11,6 +11,7 @@ namespace etalon::bake {
 // texel's point of the surface meets nothing, 0 where it looks over all the rest. Bearing k of n
 // has the angle 2 pi k / n, from +x to +y. Exact for the bilinear surface within `reach`; what is
 // farther away rises by less than its height over `reach`.
-std::vector<double> HorizonTangents(const Heights& heights, int bearings, double reach);
+std::vector<double> HorizonTangents(const Heights& heights, int bearings, double reach,
+                                    const PartDone& done = {});
 
 }  // namespace etalon::bake

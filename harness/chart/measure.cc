@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "run/fit.h"
-#include "run/progress.h"
+#include "base/progress.h"
 
 namespace etalon {
 namespace {

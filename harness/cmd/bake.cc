@@ -1,5 +1,8 @@
 #include "bake/bake.h"
 
+#include <optional>
+
+#include "base/progress.h"
 #include "cmd/command.h"
 #include "cmd/options.h"
 #include "image/read.h"
@@ -55,7 +58,16 @@ int BakeCommand::Run() {
     if (!heights) {
         return Complain(heights.error().message);
     }
-    const Result<Image> map = bake::Bake(*heights, plan_);
+    std::optional<Progress> progress;
+    const Result<Image> map = bake::Bake(*heights, plan_, [&](std::int64_t parts) {
+        if (!progress) {
+            progress.emplace(parts);
+        }
+        progress->Step(kind_);
+    });
+    if (progress) {
+        progress->Clear();
+    }
     if (!map) {
         return Complain(heights_ + ": " + map.error().message);
     }

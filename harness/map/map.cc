@@ -10,7 +10,7 @@
 #include "map/prediction.h"
 #include "run/case_choice.h"
 #include "run/fit.h"
-#include "run/progress.h"
+#include "base/progress.h"
 
 namespace etalon {
 namespace {

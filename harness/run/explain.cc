@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/progress.h"
 #include "case/case.h"
 #include "compile/compile.h"
 #include "run/case_choice.h"
@@ -44,6 +45,7 @@ Result<WorstInput> FindWorst(const PreparedCase& prepared, const DeviceSet& devi
     const PreparedCase thin = Thin(prepared, kSlowRows);
     Evaluations evaluations(devices.programs);
     std::string reason = "no device has run it";
+    Progress progress(static_cast<std::int64_t>(devices.runners.size()));
     for (const auto& runner : devices.runners) {
         for (const Recipe& recipe : RecipesFor(wanted, runner->info())) {
             const Result<Recipe> fitted = FitRecipe(recipe, runner->info());
@@ -58,7 +60,9 @@ Result<WorstInput> FindWorst(const PreparedCase& prepared, const DeviceSet& devi
                 worst = record;
             }
         }
+        progress.Step("the worst input on " + runner->info().name);
     }
+    progress.Clear();
     if (!worst) {
         return Error{prepared.source.path + ": has no worst input (" + reason +
                      "); --at gives one"};
@@ -204,12 +208,15 @@ Result<Explanation> Explain(const ExplainChoice& choice) {
     }
     const double method = evaluation.MethodAt(0, subject.column, subject.scalar);
     explanation.method = {Shortest(method), HexFloat(method)};
+    Progress progress(static_cast<std::int64_t>(devices.runners.size()));
     for (const auto& runner : devices.runners) {
         for (const Recipe& recipe : RecipesFor(wanted, runner->info())) {
             explanation.devices.push_back(
                 ExplainDevice(subject, path, terms, evaluations, *runner, recipe));
         }
+        progress.Step("explained on " + runner->info().name);
     }
+    progress.Clear();
     return explanation;
 }
 

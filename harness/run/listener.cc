@@ -5,7 +5,7 @@
 
 #include "base/format.h"
 #include "report/text.h"
-#include "run/progress.h"
+#include "base/progress.h"
 
 namespace etalon {
 namespace {

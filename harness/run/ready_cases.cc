@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "base/check.h"
+#include "base/progress.h"
 #include "run/read_catalogue.h"
 
 namespace etalon {
@@ -38,6 +39,7 @@ Result<std::vector<ReadyCase>> MakeReady(const RunChoice& choice,
     std::vector<std::optional<Result<ReadyCase>>> made(paths.size());
     std::atomic<std::size_t> next = 0;
     std::atomic<bool> failed = false;
+    Progress progress(static_cast<std::int64_t>(paths.size()));
     // Paths are taken in their order, so that all before a failed one have been tried.
     const auto work = [&] {
         while (!failed) {
@@ -49,6 +51,7 @@ Result<std::vector<ReadyCase>> MakeReady(const RunChoice& choice,
             if (!*made[i]) {
                 failed = true;
             }
+            progress.Step("made ready: " + paths[i]);
         }
     };
     std::vector<std::thread> threads;
@@ -60,6 +63,7 @@ Result<std::vector<ReadyCase>> MakeReady(const RunChoice& choice,
     for (std::thread& thread : threads) {
         thread.join();
     }
+    progress.Clear();
     std::vector<ReadyCase> ready;
     for (std::optional<Result<ReadyCase>>& one : made) {
         ETALON_CHECK(one.has_value());

@@ -14,7 +14,7 @@
 #include "run/case_choice.h"
 #include "run/case_run.h"
 #include "run/fit.h"
-#include "run/progress.h"
+#include "base/progress.h"
 #include "run/sweep_check.h"
 
 namespace etalon {

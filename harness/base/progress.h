@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <mutex>
 #include <string>
 
 namespace etalon {
@@ -12,8 +13,8 @@ class Progress {
   public:
     explicit Progress(std::int64_t total);
 
-    // One more is done. Redraws at most ten times a second, and only once the work has taken two
-    // seconds.
+    // One more is done, by any thread. Redraws at most ten times a second, and only once the work
+    // has taken two seconds.
     void Step(const std::string& what);
 
     // Takes the line away, before other output.
@@ -21,6 +22,7 @@ class Progress {
 
   private:
     using Clock = std::chrono::steady_clock;
+    std::mutex mutex_;
     std::int64_t total_;
     std::int64_t done_ = 0;
     bool is_terminal_;

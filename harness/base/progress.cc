@@ -1,4 +1,4 @@
-#include "run/progress.h"
+#include "base/progress.h"
 
 #include <unistd.h>
 
@@ -12,6 +12,7 @@ Progress::Progress(std::int64_t total)
     : total_(total), is_terminal_(isatty(STDERR_FILENO) == 1), start_(Clock::now()) {}
 
 void Progress::Step(const std::string& what) {
+    const std::lock_guard lock(mutex_);
     ++done_;
     const Clock::time_point now = Clock::now();
     if (!is_terminal_ || now - start_ < std::chrono::seconds(2) ||
@@ -29,6 +30,7 @@ void Progress::Step(const std::string& what) {
 }
 
 void Progress::Clear() {
+    const std::lock_guard lock(mutex_);
     if (is_drawn_) {
         std::fputs("\r\033[K", stderr);
         std::fflush(stderr);
