@@ -20,9 +20,9 @@ namespace etalon {
 Result<PreparedCase> PrepareCall(const Case& source);
 Result<PreparedCase> PrepareCall(const Case& source, Table table);
 
-// Seconds of one evaluation among as many as keep the device busy. `low` to `high` is what the
-// parts of the measurement say, each taken alone: it tells how far to believe `seconds`, and no
-// more. 0 where the call is too short to be told from the loop around it.
+// Seconds of one evaluation: at as many rows at once as keep the device busy, and at each row one
+// after the other. `low` to `high` is what the parts of the measurement say, each taken alone: it
+// tells how far to believe `seconds`, and no more. 0 where noise hides the call.
 struct TimeEstimate {
     double seconds = 0;
     double low = 0;
@@ -45,9 +45,9 @@ struct CostOptions {
 using CostProgress = std::function<void(double share)>;
 
 // How long the call of each subject (its first wanted expression, at all its rows) takes, all of
-// them in turns with each other and with their empty loops, in an order that changes. One for each
-// subject, in their order; an error where it has no time: the device cannot run it, or failed. The
-// times of one call of this function may be compared with each other, those of two not quite.
+// them in turns with each other and with loops of fewer calls, in an order that changes. One for
+// each subject, in their order; an error where it has no time: the device cannot run it, or failed.
+// The times of one call of this function may be compared with each other, those of two not quite.
 Result<std::vector<Result<TimeEstimate>>> EstimateTimes(std::span<const PreparedCase> subjects,
                                                         Runner& runner, const Recipe& recipe,
                                                         const CostOptions& options = {},
