@@ -1,5 +1,6 @@
-// Turns a checked module into a plan. The parts: translate.cc leads, translate_memory.cc lays out
-// types, variables and pointers, translate_control.cc orders the blocks.
+// Turns a checked module into a plan. The parts: translate.cc leads, translate_instruction.cc makes
+// the steps, translate_memory.cc lays out types, variables and pointers, translate_control.cc
+// orders the blocks.
 #pragma once
 
 #include <optional>
@@ -33,18 +34,20 @@ class Translator {
     Status<> TranslateFunction(std::uint32_t index);
     Status<> TranslateBlock(const spirv::Function& function, std::uint32_t block,
                             const std::vector<std::uint32_t>& places, Block& out);
+    Status<> TranslateConstants();
+    void AddEdge(const spirv::Function& function, std::uint32_t from, std::uint32_t to,
+                 const std::vector<std::uint32_t>& places, Block& out);
+    Status<> CheckRecursion();
+    Error Wrong(const Instruction& instruction, const std::string& reason) const;
+
+    // translate_instruction.cc
     Status<> TranslateStep(const Instruction& instruction);
     Status<> TranslateOrdinary(const Instruction& instruction);
     Status<> TranslateExtended(const Instruction& instruction);
     Status<> TranslateCall(const Instruction& instruction);
     Status<> TranslateImage(const Instruction& instruction);
-    Status<> TranslateConstants();
-    void AddEdge(const spirv::Function& function, std::uint32_t from, std::uint32_t to,
-                 const std::vector<std::uint32_t>& places, Block& out);
-    Status<> CheckRecursion();
     Step MakeStep(std::uint32_t code, const Instruction& instruction);
     void AddOperand(Step& step, Columns place);
-    Error Wrong(const Instruction& instruction, const std::string& reason) const;
 
     // translate_memory.cc
     void LayOutTypes();
