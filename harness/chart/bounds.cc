@@ -18,13 +18,19 @@ double ErrorOf(const ChartPoint& point, double ChartAccuracy::*error) {
                                             : std::numeric_limits<double>::quiet_NaN();
 }
 
+CostAndError CostAndErrorOf(const ChartRecord& chart, const ChartPoint& point,
+                            double ChartAccuracy::*error) {
+    CostAndError made = CostAndError::Exact(CostOf(chart, point), ErrorOf(point, error));
+    if (chart.cost_by == "time" && point.cost) {
+        made.low = point.cost->low;
+        made.high = point.cost->high;
+    }
+    return made;
+}
+
 }  // namespace
 
 void AddFrontAndBounds(ChartRecord& chart) {
-    if (std::none_of(chart.points.begin(), chart.points.end(),
-                     [](const ChartPoint& point) { return point.accuracy.has_value(); })) {
-        return;
-    }
     // Groups in the order of their first points.
     std::vector<std::pair<std::string, std::string>> groups;
     std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> points;
@@ -40,10 +46,14 @@ void AddFrontAndBounds(ChartRecord& chart) {
         const auto pairs = [&](double ChartAccuracy::*error) {
             std::vector<CostAndError> made;
             for (const std::size_t i : members) {
-                made.push_back({CostOf(chart, chart.points[i]), ErrorOf(chart.points[i], error)});
+                made.push_back(CostAndErrorOf(chart, chart.points[i], error));
             }
             return made;
         };
+        if (std::none_of(members.begin(), members.end(),
+                         [&](std::size_t i) { return chart.points[i].accuracy.has_value(); })) {
+            continue;
+        }
         const std::vector<CostAndError> by_worst = pairs(&ChartAccuracy::worst);
         const std::vector<CostAndError> by_p999 = pairs(&ChartAccuracy::p999);
         const std::vector<bool> front = ParetoFront(by_worst);

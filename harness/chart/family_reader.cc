@@ -2,19 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "case/like.h"
 #include "case/read_case.h"
 #include "case/read_domain.h"
 #include "case/suggestion.h"
 #include "numeric/number_text.h"
+#include "probe/recipe.h"
 #include "run/given.h"
 
 namespace etalon {
 namespace {
 
 // Keys of a case that say what is judged, or where it stands; a family has no use for them.
-constexpr std::string_view kJudged[] = {"family", "law", "covers", "expected_failure"};
+constexpr std::string_view kJudged[] = {"family", "law", "covers", "expected_failure", "map"};
 // Keys that a table has of its own, and hands on to no point.
 constexpr std::string_view kOwn[] = {"name", "description", "settings", "published", "at", "like"};
 
@@ -178,6 +180,11 @@ Status<> FamilyReader::ReadScenes() {
 
 Result<Setting> FamilyReader::ReadSetting(const std::string& name, const toml::node& node) const {
     if (const auto* integer = node.as_integer()) {
+        if (integer->get() < std::numeric_limits<std::int32_t>::min() ||
+            integer->get() > std::numeric_limits<std::uint32_t>::max()) {
+            return reader_.Fail(node, "setting '" + name + "': " + std::to_string(integer->get()) +
+                                          " is no integer of 32 bits");
+        }
         return Setting{name, std::to_string(integer->get()), static_cast<double>(integer->get())};
     }
     if (const auto* real = node.as_floating_point();
@@ -324,6 +331,7 @@ Result<Case> FamilyReader::MakeCase(std::size_t member, std::size_t scene,
         }
     }
     ETALON_TRY(read, ReadCaseKeys(reader_, keys, Purpose::kMeasure));
+    ETALON_TRY_STEP(CheckNames(keys));
     read.path = family_.address;
     read.file = family_.file;
     read.root = root_;
@@ -335,6 +343,34 @@ Result<Case> FamilyReader::MakeCase(std::size_t member, std::size_t scene,
     }
     ETALON_TRY_STEP(Count(read, keys.contains("accept"), *members_[member].table));
     return std::move(read);
+}
+
+Status<> FamilyReader::CheckNames(const toml::table& keys) const {
+    const auto check_file = [this](const toml::node& node, const std::string& key) -> Status<> {
+        const std::filesystem::path file = root_ / node.as_string()->get();
+        std::error_code ignored;
+        if (!std::filesystem::is_regular_file(file, ignored)) {
+            return reader_.Fail(node, "'" + key + "': there is no file " + file.string());
+        }
+        return Ok();
+    };
+    ETALON_TRY_STEP(check_file(*keys.get("source"), "source"));
+    if (const toml::node* with = keys.get("with")) {
+        for (const toml::node& file : *with->as_array()) {
+            ETALON_TRY_STEP(check_file(file, "with"));
+        }
+    }
+    if (const toml::node* recipes = keys.get("recipes")) {
+        if (recipes->as_array()->size() > 1) {
+            return reader_.Fail(*recipes, "'recipes': a chart has one");
+        }
+        for (const toml::node& recipe : *recipes->as_array()) {
+            if (const auto read = ParseRecipe(recipe.as_string()->get()); !read) {
+                return reader_.Fail(recipe, read.error().message);
+            }
+        }
+    }
+    return Ok();
 }
 
 Status<> FamilyReader::HoldInputs(const toml::value<std::string>& at, Case& held) const {
@@ -391,9 +427,6 @@ Status<> FamilyReader::Count(const Case& read, bool is_judged, const toml::table
         if (!one.spec.empty()) {
             return Error{one.place.Text() + "'spec': errors are measured against an oracle"};
         }
-    }
-    if (read.recipes.size() > 1) {
-        return reader_.Fail(member, "'recipes': a chart has one");
     }
     const std::pair<bool, bool*> facts[] = {{has_truth, &family_.has_truth},
                                             {is_judged, &family_.is_judged},

@@ -36,8 +36,7 @@ ChartCommand::ChartCommand(CLI::App& app)
     : Command(app.add_subcommand(
           "chart",
           "Accuracy and cost of several functions for one quantity: a line for each, those that "
-          "nothing beats in both marked *, and the cheapest that holds each of six errors. "
-          "Without --device on the first device found")) {
+          "nothing beats in both marked *, and the cheapest that holds each of six errors")) {
     word_->add_option("FAMILY", choice_.name,
                       "a family's address below cases/, or a TOML file, whose sources are relative "
                       "to the folder that holds cases/, or to its own where it is below none");
@@ -68,7 +67,7 @@ ChartCommand::ChartCommand(CLI::App& app)
     word_->add_flag("--list", list_, "the families below the root, with their quantity");
     report_.AddTo(*word_);
     AddRoot(*word_, root_);
-    devices_.AddTo(*word_);
+    devices_.AddTo(*word_, "the first found");
 }
 
 int ChartCommand::List() const {

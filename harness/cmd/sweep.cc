@@ -92,7 +92,7 @@ SweepCommand::SweepCommand(CLI::App& app)
     word_->add_flag("--json", json_, "as JSON");
     report_.AddTo(*word_);
     AddRoot(*word_, root_);
-    devices_.AddTo(*word_);
+    devices_.AddTo(*word_, "none, one must be named");
     pattern->excludes(merge);
 }
 

@@ -22,6 +22,8 @@ constexpr std::size_t kFewestRounds = kParts;
 // What a turn of a host's loop does beside its calls takes some nanoseconds, in which a short call
 // would hide: the calls of a turn must take far longer.
 constexpr double kTurnSeconds = 50e-9;
+// A call that is less of its loop is not told more exactly than this part.
+constexpr double kSmallPart = 0.1;
 // They make the program longer, which must fit a cache; words of SPIR-V.
 constexpr std::size_t kMostWords = 1u << 13;
 
@@ -89,7 +91,13 @@ class Subject {
         return {found.seconds, found.low, found.high, times_.full.size(), clock_};
     }
 
-    bool IsWithin(double spread) const { return Estimate(times_, 1).Spread() <= spread; }
+    // Of a call that is a small part of its loop, the spread is held against that part of the loop:
+    // no number of rounds tells the time of what takes none.
+    bool IsWithin(double spread) const {
+        const LoopEstimate found = Estimate(times_, 1);
+        const double loop = *std::min_element(times_.full.begin(), times_.full.end());
+        return found.high - found.low <= spread * std::max(found.seconds, kSmallPart * loop);
+    }
 
   private:
     Subject(const PreparedCase& prepared, const Recipe& recipe, std::uint64_t fewest_rows,

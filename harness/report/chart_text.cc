@@ -17,12 +17,29 @@ std::string NumberText(double value) {
     return std::isnan(value) ? "-" : ShortNumber(value);
 }
 
-std::string TimeText(const ChartPoint& point) {
-    if (!point.cost || !point.cost->ratio) {
+// A time that was not told from nothing is an upper bound. Nanoseconds where the reference has no
+// time.
+std::string TimeText(const ChartPoint& point, bool with_spread = true) {
+    if (!point.cost) {
         return "-";
     }
-    const ChartCost::Ratio& ratio = *point.cost->ratio;
-    return format("{:.2f} ({:.2f}..{:.2f})", ratio.value, ratio.low, ratio.high);
+    const ChartCost& cost = *point.cost;
+    const ChartCost::Ratio time =
+        cost.ratio ? *cost.ratio : ChartCost::Ratio{cost.nanoseconds, cost.low, cost.high};
+    const char* const unit = cost.ratio ? "" : " ns";
+    if (time.low == 0) {
+        return format("under {:.2f}{}", std::max(std::ceil(100 * time.high) / 100, 0.01), unit);
+    }
+    return with_spread ? format("{:.2f} ({:.2f}..{:.2f}){}", time.value, time.low, time.high, unit)
+                       : format("{:.2f}{}", time.value, unit);
+}
+
+std::string BitsText(const ChartPoint& point) {
+    if (!point.accuracy || !std::isfinite(point.accuracy->bits)) {
+        return point.accuracy && point.accuracy->bits > 0 ? "exact" : "-";
+    }
+    const std::string text = format("{:.1f}", point.accuracy->bits);
+    return text == "-0.0" ? "0.0" : text;
 }
 
 std::string CountText(const ChartPoint& point, double ChartCounts::*count) {
@@ -40,7 +57,7 @@ std::string ShareText(const ChartPoint& point, double ChartAccuracy::*share) {
 std::vector<Column> Columns(const ChartRecord& chart) {
     std::vector<Column> columns;
     if (chart.cost_by == "time") {
-        columns.push_back({"time", TimeText});
+        columns.push_back({"time", [](const ChartPoint& point) { return TimeText(point); }});
     }
     columns.push_back({"operations", [](const ChartPoint& point) {
                            return CountText(point, &ChartCounts::total);
@@ -60,12 +77,7 @@ std::vector<Column> Columns(const ChartRecord& chart) {
         columns.push_back({"rms", [](const ChartPoint& point) {
                                return AccuracyText(point, &ChartAccuracy::rms);
                            }});
-        columns.push_back({"bits", [](const ChartPoint& point) {
-                               return point.accuracy && std::isfinite(point.accuracy->bits)
-                                          ? format("{:.1f}", point.accuracy->bits)
-                                      : point.accuracy && point.accuracy->bits > 0 ? "exact"
-                                                                                   : "-";
-                           }});
+        columns.push_back({"bits", BitsText});
         if (chart.search) {
             columns.push_back({"missed", [](const ChartPoint& point) {
                                    return ShareText(point, &ChartAccuracy::missed);
@@ -150,8 +162,7 @@ std::string BoundText(const ChartRecord& chart, const ChartBound& bound) {
     if (chart.cost_by != "time") {
         return CountText(point, &ChartCounts::total) + "  " + point.label;
     }
-    return (point.cost->ratio ? format("{:.2f}", point.cost->ratio->value) : "-") + "  " +
-           point.label;
+    return TimeText(point, false) + "  " + point.label;
 }
 
 std::string BoundsText(const ChartRecord& chart, const std::string& device,

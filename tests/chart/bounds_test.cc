@@ -11,6 +11,8 @@ ChartPoint PointOf(const std::string& device, double cost, double worst, double 
     point.device = device;
     point.scene = "all";
     point.cost.emplace().nanoseconds = cost;
+    point.cost->low = 0.95 * cost;
+    point.cost->high = 1.05 * cost;
     point.accuracy.emplace().worst = worst;
     point.accuracy->p999 = p999;
     return point;
@@ -58,6 +60,40 @@ TEST(BoundsTest, WhatIsRefusedHoldsNothing) {
     EXPECT_EQ(BoundOf(chart, "a", "1", "worst").point, 1u);
 }
 
+TEST(BoundsTest, TimesWithinTheirSpreadAreAlike) {
+    ChartRecord chart;
+    chart.cost_by = "time";
+    // Faster by chance, less accurate; then the same twice; then surely faster.
+    chart.points = {PointOf("a", 10, 0.9, 0.9), PointOf("a", 10.5, 0.5, 0.5),
+                    PointOf("a", 10.4, 0.5, 0.5), PointOf("a", 9, 1, 1)};
+    AddFrontAndBounds(chart);
+    EXPECT_FALSE(chart.points[0].front);
+    EXPECT_TRUE(chart.points[1].front);
+    EXPECT_TRUE(chart.points[2].front);
+    EXPECT_TRUE(chart.points[3].front);
+    EXPECT_EQ(BoundOf(chart, "a", "1", "worst").point, 3u);
+    chart.points.pop_back();
+    chart.bounds.clear();
+    AddFrontAndBounds(chart);
+    EXPECT_EQ(BoundOf(chart, "a", "1", "worst").point, 1u);
+    chart.cost_by = "operations";
+    for (std::size_t i = 0; i < chart.points.size(); ++i) {
+        chart.points[i].mean.emplace().total = 10 + static_cast<double>(i);
+    }
+    AddFrontAndBounds(chart);
+    EXPECT_TRUE(chart.points[0].front) << "counts have no spread";
+}
+
+TEST(BoundsTest, WithoutErrorsThereAreNone) {
+    ChartRecord chart;
+    chart.cost_by = "time";
+    chart.points = {PointOf("a", 1, 0, 0), PointOf("b", 1, 0, 0)};
+    chart.points[0].accuracy.reset();
+    AddFrontAndBounds(chart);
+    EXPECT_FALSE(chart.points[0].front);
+    EXPECT_EQ(chart.bounds.size(), 12u) << "of b alone";
+}
+
 TEST(BoundsTest, WithoutTimesTheCostIsOperations) {
     ChartRecord chart;
     chart.cost_by = "operations";
@@ -68,16 +104,6 @@ TEST(BoundsTest, WithoutTimesTheCostIsOperations) {
     EXPECT_FALSE(chart.points[0].front);
     EXPECT_TRUE(chart.points[1].front);
     EXPECT_FALSE(chart.points[2].front);  // has no cost
-}
-
-TEST(BoundsTest, WithoutErrorsThereAreNone) {
-    ChartRecord chart;
-    chart.cost_by = "time";
-    chart.points = {PointOf("a", 1, 0, 0)};
-    chart.points[0].accuracy.reset();
-    AddFrontAndBounds(chart);
-    EXPECT_TRUE(chart.bounds.empty());
-    EXPECT_FALSE(chart.points[0].front);
 }
 
 }  // namespace

@@ -75,6 +75,13 @@ published = 22.8
 
 class FamilyTest : public testing::Test {
   protected:
+    FamilyTest() {
+        for (const char* const folder : {"", "mine/"}) {
+            for (const char* const source : {"a", "b", "c", "f", "g", "scene"}) {
+                folder_.Write(folder + std::string(source) + ".glsl", "");
+            }
+        }
+    }
     Result<Family> Read(const std::string& text) {
         folder_.Write("cases/t/f.family.toml", text);
         return ReadFamily(folder_.path(), folder_.path() / "cases/t/f.family.toml");
@@ -202,7 +209,17 @@ TEST_F(FamilyTest, MistakesAreToldInOneLine) {
     EXPECT_EQ(Complaint("measure = \"percent\"\n" + std::string(kShort)),
               file + "1: 'measure' must be absolute, relative or ulp");
     EXPECT_EQ(Complaint("recipes = [\"spirv\", \"spirv+O\"]\n" + std::string(kShort)),
-              file + "4: 'recipes': a chart has one");
+              file + "1: 'recipes': a chart has one");
+    EXPECT_THAT(Complaint("recipes = [\"spirw\"]\n" + std::string(kShort)),
+                testing::StartsWith(file + "1: unknown recipe 'spirw': "));
+    EXPECT_EQ(Complaint(With(kShort, "\"b.glsl\"", "\"d.glsl\"")),
+              file + "9: 'source': there is no file " + (folder_.path() / "d.glsl").string());
+    EXPECT_EQ(Complaint(With(kFull, "[\"scene.glsl\"]", "[\"d.glsl\"]")),
+              file + "11: 'with': there is no file " + (folder_.path() / "d.glsl").string());
+    EXPECT_EQ(Complaint(With(kFull, "[8, 16]", "[99999999999]")),
+              file + "34: setting 'STEPS': 99999999999 is no integer of 32 bits");
+    EXPECT_THAT(Complaint("map = { over = [\"x\", \"y\"] }\n" + std::string(kShort)),
+                HasSubstr("1: unknown key 'map'"));
     EXPECT_EQ(Complaint("oracle = \"x\"\ndomain = { x = { values = [1] } }\n"),
               file + "1: a family has members: [[member]] is missing");
     EXPECT_EQ(Complaint(With(kFull, "[8, 16]", "8")), file + "34: setting 'STEPS' must be a list");

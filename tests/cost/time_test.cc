@@ -193,6 +193,21 @@ TEST_F(TimeTest, KeepsWithinWhatADriverLetsALoopTake) {
     EXPECT_THAT((*times)[1]->seconds / (*times)[0]->seconds, DoubleNear(10, 1));
 }
 
+TEST_F(TimeTest, ACallThatTakesNoTimeKeepsNoOtherWaiting) {
+    Runner* runner = Open("vulkan:llvmpipe");
+    if (runner == nullptr) {
+        GTEST_SKIP() << "no lavapipe here";
+    }
+    CostOptions options = Quick();
+    options.spread = 100;
+    options.most_seconds = 20;
+    const std::vector<PreparedCase> subjects = {Chain(64), SubjectOf(folder_, "x", {"", "x"})};
+    const auto times = EstimateTimes(subjects, *runner, DefaultRecipe(runner->info()), options);
+    ASSERT_TRUE(times && (*times)[0] && (*times)[1]);
+    EXPECT_LT((*times)[1]->seconds, 1e-10);
+    EXPECT_LT((*times)[0]->rounds, 500u) << "what 0.3 s hold, not what 40 s hold";
+}
+
 TEST_F(TimeTest, SaysWhichHasNoTime) {
     Runner* runner = Open("cpu");
     ASSERT_NE(runner, nullptr);

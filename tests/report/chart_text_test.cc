@@ -85,6 +85,24 @@ error up to  cheapest by its worst  cheapest by 99.9 % of the rows
 )");
 }
 
+TEST(ChartTextTest, WhatIsNotToldFromNothingIsABound) {
+    ChartRecord chart = ChartOfThree();
+    chart.points[2].cost->ratio = ChartCost::Ratio{0, 0, 0.034};
+    chart.points[2].accuracy->bits = -0.01;
+    chart.points[3].cost->ratio = ChartCost::Ratio{0, 0, 0};
+    const std::string text = ChartText(chart, false);
+    EXPECT_THAT(text, HasSubstr("!         under 0.01 "));
+    EXPECT_THAT(text, HasSubstr("*         under 0.04 "));
+    EXPECT_THAT(text, HasSubstr("  under 0.04  rough "));
+    EXPECT_THAT(text, HasSubstr("  0.0       0.75  rough\n")) << "no -0.0";
+}
+
+TEST(ChartTextTest, WithoutATimeOfTheReferenceTimesAreNanoseconds) {
+    ChartRecord chart = ChartOfThree();
+    chart.points[2].cost = ChartCost{3.25, 3, 4, std::nullopt, 4, "processor time"};
+    EXPECT_THAT(ChartText(chart, false), HasSubstr("  3.25 (3.00..4.00) ns  "));
+}
+
 TEST(ChartTextTest, ScenesStandBeforeAllWhereTheyAreAskedFor) {
     ChartRecord chart = ChartOfThree();
     chart.search = true;

@@ -62,7 +62,7 @@ function pointsTable(family, scene) {
         ["rms", point => short(point.accuracy.rms), point => point.accuracy], ["bits", point => short(point.accuracy.bits), point => point.accuracy],
         ["missed", point => percent(point.accuracy.missed), point => family.search && point.accuracy], ["wrong", point => percent(point.accuracy.wrong), point => family.search && point.accuracy],
         ["ns", point => `${short(point.cost.nanoseconds)} (${short(point.cost.low)} to ${short(point.cost.high)})`, point => point.cost],
-        ["ratio", point => `${short(point.cost.ratio)}×`, point => point.cost && point.cost.ratio !== null], ["published", point => `${short(point.published)}${point.published_ratio !== undefined ? ` (${short(point.published_ratio)}×)` : ""}`, point => point.published !== undefined && point.published !== null],
+        ["ratio", point => `${short(point.cost.ratio)}×`, point => Number.isFinite(point.cost?.ratio)], ["published", point => `${short(point.published)}${point.published_ratio !== undefined ? ` (${short(point.published_ratio)}×)` : ""}`, point => point.published !== undefined && point.published !== null],
         ["operations", point => short(point.counts.mean.total), point => point.counts], ["image reads", point => short(point.counts.mean.fetch), point => point.counts],
         ["worst input, and how to repeat it", point => el("span", {}, inputsOf(point.accuracy.worst_inputs), command(point.accuracy.repeat)), point => point.accuracy?.repeat],
         ["remark", remarkOf, remarkOf],
@@ -96,7 +96,7 @@ export function familyArticle(family) {
         el("p", {}, family.description),
         family.at ? el("p", { class: "soft" }, `At one input: ${family.at}.`) : null,
         family.published_unit ? el("p", { class: "soft" }, `Published figures: ${family.published_unit}.`) : null,
-        hasErrors ? el("p", { class: "soft" }, "Filled points joined by a line are the front: none is both cheaper and more accurate. Hollow, faint points are dominated. Where an average is shown, a dash marks the worst.") : null,
+        hasErrors ? el("p", { class: "soft" }, "Filled points joined by a line are the front: none is both cheaper and more accurate, where costs whose spreads meet count as equal. Hollow, faint points are dominated. Where an average is shown, a dash marks the worst.") : null,
         chosen(state, controls, choice_ => [
             el("p", { class: "soft" }, (family.scenes ?? []).find(scene => scene.name === choice_.scene)?.description ?? ""),
             costs.length ? el("div", { class: "facets" }, devices.map(device => chart(size => make(family, choice_, device, size), `${family.quantity} on ${device}: error against cost`))) : el("p", {}, "No point has a cost."),

@@ -58,7 +58,7 @@ function rowOf(point, choice) {
         cost: number(cost), low: number(low ?? cost), high: number(high ?? cost), front: point.front,
         refused: point.refused ?? false, remark: remarkOf(point),
         time: point.cost ? `${short(point.cost.nanoseconds)} ns (${short(point.cost.low)} to ${short(point.cost.high)})` : "",
-        ratio: point.cost ? `${short(point.cost.ratio)}×` : "",
+        ratio: Number.isFinite(point.cost?.ratio) ? `${short(point.cost.ratio)}×` : "",
         operations: point.counts ? `${short(point.counts.mean.total)}, ${short(point.counts.mean.fetch)} image reads` : "",
     };
     if (accuracy) {
@@ -72,15 +72,20 @@ function rowOf(point, choice) {
     return row;
 }
 
-// Marks the rows that no other row beats in both. The front of the worst error against the chart's
-// own cost is marked already.
+// Marks the rows of the front: those that no row of the front beats, by less error at a cost that is
+// less or alike, or by the same error at less cost; costs whose spreads meet are alike. The front
+// of the worst error against the chart's own cost is marked already.
 function markFront(chart, rows, choice) {
     const own = chart.cost_by === "operations" ? ["counts"] : ["time", "ratio"];
     if (choice.error === "worst" && own.includes(choice.cost)) return;
+    const beats = (a, b) => a.error < b.error ? a.low <= b.high : a.error === b.error && a.high < b.low;
     const candidates = rows.filter(row => !row.refused && Number.isFinite(row.error));
+    const front = [];
+    for (const row of candidates.sort((a, b) => a.error - b.error || a.low - b.low)) {
+        if (!front.some(other => beats(other, row))) front.push(row);
+    }
     for (const row of rows) {
-        row.front = candidates.includes(row) && !candidates.some(other => other.cost <= row.cost &&
-            other.error <= row.error && (other.cost < row.cost || other.error < row.error));
+        row.front = front.includes(row);
     }
 }
 
