@@ -7,8 +7,8 @@
 #include <ostream>
 #include <thread>
 
-#include "run/fit.h"
 #include "base/progress.h"
+#include "run/fit.h"
 
 namespace etalon {
 namespace {

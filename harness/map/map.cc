@@ -5,12 +5,12 @@
 #include <list>
 
 #include "base/file.h"
+#include "base/progress.h"
 #include "map/cells.h"
 #include "map/condition.h"
 #include "map/prediction.h"
 #include "run/case_choice.h"
 #include "run/fit.h"
-#include "base/progress.h"
 
 namespace etalon {
 namespace {

@@ -21,8 +21,10 @@ struct MapScope {
     std::string size = {};                 // "96x64"
     std::string output = {};
 
-    // True where the picture is the [map]'s own.
-    bool IsOwn() const { return over.empty() && ranges.empty() && at.empty() && output.empty(); }
+    // True where the picture is the [map]'s own, cell by cell.
+    bool IsOwn() const {
+        return over.empty() && ranges.empty() && at.empty() && size.empty() && output.empty();
+    }
 };
 
 // A GLSL condition that is evaluated beside the case.

@@ -1,14 +1,12 @@
 #include "report/html.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
-#include <utility>
 
 #include "base/file.h"
+#include "base/file_lock.h"
 #include "report/json_value.h"
 #include "report/page/files.h"
 #include "report/record.h"
@@ -23,35 +21,6 @@ constexpr std::string_view kMark = "<meta name=\"generator\" content=\"etalon\">
 
 constexpr ReportSection kSections[] = {ReportSection::kRun, ReportSection::kSweeps,
                                        ReportSection::kCharts, ReportSection::kMaps};
-
-// Held while it lives; the folder itself is what is locked, so that no file is left behind.
-class FolderLock {
-  public:
-    static Result<FolderLock> Take(const std::filesystem::path& folder) {
-        FolderLock lock(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-        if (lock.file_ < 0) {
-            return Error{folder.string() + ": " + std::strerror(errno)};
-        }
-        while (flock(lock.file_, LOCK_EX) != 0) {
-            if (errno != EINTR) {
-                return Error{folder.string() + ": cannot be locked (" + std::strerror(errno) + ")"};
-            }
-        }
-        return lock;
-    }
-    FolderLock(FolderLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
-    FolderLock& operator=(FolderLock&&) = delete;
-    ~FolderLock() {
-        if (file_ >= 0) {
-            close(file_);
-        }
-    }
-
-  private:
-    explicit FolderLock(int file) : file_(file) {}
-
-    int file_;
-};
 
 Result<ordered_json> ReadReport(const std::filesystem::path& file) {
     ETALON_TRY(text, ReadFile(file));
@@ -214,7 +183,7 @@ Status<> AddToReport(const std::filesystem::path& folder, ReportSection section,
     ordered_json added = ordered_json::parse(json, nullptr, false);
     ETALON_CHECK(added.is_object());
     ETALON_TRY_STEP(MakeFolder(folder));
-    const Result<FolderLock> lock = FolderLock::Take(folder);
+    const Result<FileLock> lock = FileLock::OnFolder(folder);
     if (!lock) {
         return lock.error();
     }

@@ -16,6 +16,10 @@ constexpr std::size_t kMostLines = 24;
 constexpr char kSigns[] = {'.', 'x', 'm', 'w', 'N', 'I', 's', '?', '!'};
 constexpr char kBoundary = '+';
 
+constexpr char SignOf(MapMark mark) {
+    return kSigns[static_cast<std::size_t>(mark)];
+}
+
 std::array<std::uint64_t, kMapMarks> Count(const std::vector<MapMark>& marks) {
     std::array<std::uint64_t, kMapMarks> counts = {};
     for (const MapMark mark : marks) {
@@ -38,7 +42,8 @@ std::string InputsText(const std::vector<std::pair<std::string, Value>>& inputs,
     return text;
 }
 
-// The map in as many blocks of cells as there are characters.
+// The map in as many blocks of cells as there are characters. What fails in a block is shown,
+// however few of its cells do.
 class Picture {
   public:
     Picture(const MapRecord& map, const std::vector<MapMark>& marks)
@@ -54,14 +59,28 @@ class Picture {
         for (std::size_t line = lines_; line-- > 0;) {
             text += "    ";
             for (std::size_t column = 0; column < columns_; ++column) {
-                text += IsBoundary(column, line) ? kBoundary : SignAt(column, line);
+                const char sign = SignAt(column, line);
+                text += IsFailure(sign) || !IsBoundary(column, line) ? sign : kBoundary;
             }
             text += "\n";
         }
         return text;
     }
 
+    // How many cells a character stands for where it is more than one.
+    std::string BlockText() const {
+        const std::size_t across = (width_ + columns_ - 1) / columns_;
+        const std::size_t along = (height_ + lines_ - 1) / lines_;
+        return across * along == 1
+                   ? ""
+                   : format("  (up to {}x{} cells each; what fails goes first)", across, along);
+    }
+
   private:
+    static bool IsFailure(char sign) {
+        return sign != SignOf(MapMark::kHolds) && sign != SignOf(MapMark::kUndecided);
+    }
+
     // The cells of a block: first and behind the last.
     std::pair<std::size_t, std::size_t> Across(std::size_t column) const {
         return {column * width_ / columns_, (column + 1) * width_ / columns_};
@@ -70,7 +89,7 @@ class Picture {
         return {line * height_ / lines_, (line + 1) * height_ / lines_};
     }
 
-    // The mark that most of its cells have.
+    // The mark that most of its failed cells have; of all its cells where none failed.
     char SignAt(std::size_t column, std::size_t line) const {
         std::array<std::uint64_t, kMapMarks> counts = {};
         const auto [left, right] = Across(column);
@@ -80,23 +99,33 @@ class Picture {
                 ++counts[static_cast<std::size_t>(marks_[y * width_ + x])];
             }
         }
+        std::uint64_t& holds = counts[static_cast<std::size_t>(MapMark::kHolds)];
+        std::uint64_t& undecided = counts[static_cast<std::size_t>(MapMark::kUndecided)];
+        if (holds + undecided < (right - left) * (high - low)) {
+            holds = undecided = 0;
+        }
         return kSigns[std::max_element(counts.begin(), counts.end()) - counts.begin()];
     }
 
-    // Whether the prediction changes inside of the block, or towards the one to the left or below.
+    // Whether the prediction changes inside of the block, or towards the one to the left or below;
+    // or towards the others where a failure there hides it.
     bool IsBoundary(std::size_t column, std::size_t line) const {
         if (!map_.prediction) {
             return false;
         }
         const auto [left, right] = Across(column);
         const auto [low, high] = Along(line);
+        const bool sees_right = column + 1 < columns_ && IsFailure(SignAt(column + 1, line));
+        const bool sees_above = line + 1 < lines_ && IsFailure(SignAt(column, line + 1));
+        const std::size_t from_x = left - (left > 0 ? 1 : 0);
+        const std::size_t from_y = low - (low > 0 ? 1 : 0);
         const auto at = [&](std::size_t x, std::size_t y) {
             return map_.prediction->cells[y * width_ + x];
         };
         const MapForecast first = at(left, low);
-        for (std::size_t y = low - (low > 0 ? 1 : 0); y < high; ++y) {
-            for (std::size_t x = left - (left > 0 ? 1 : 0); x < right; ++x) {
-                const bool is_corner = x < left && y < low;
+        for (std::size_t y = from_y; y < high + (sees_above ? 1 : 0); ++y) {
+            for (std::size_t x = from_x; x < right + (sees_right ? 1 : 0); ++x) {
+                const bool is_corner = (x < left || x >= right) && (y < low || y >= high);
                 if (!is_corner && at(x, y) != first) {
                     return true;
                 }
@@ -118,12 +147,13 @@ std::string LegendText(const std::array<std::uint64_t, kMapMarks>& counts, bool 
     std::string separator;
     for (std::size_t mark = 0; mark < kMapMarks; ++mark) {
         if (counts[mark] > 0) {
-            text += separator + kSigns[mark] + " " + kMapMarkNames[mark];
+            text += format("{}{} {}", separator, kSigns[mark], kMapMarkNames[mark]);
             separator = "  ";
         }
     }
-    return text + (has_prediction ? separator + kBoundary + " where the prediction changes" : "") +
-           "\n";
+    return text + (has_prediction
+                       ? format("{}{} where the prediction changes", separator, kBoundary)
+                       : "");
 }
 
 std::string CountsText(const std::array<std::uint64_t, kMapMarks>& counts, std::size_t cells) {
@@ -163,7 +193,9 @@ std::string DeviceText(const MapRecord& map, const MappedDevice& device) {
     if (device.worst) {
         text += ObservedText(*device.worst);
     }
-    return text + Picture(map, device.mark).Text() + LegendText(counts, map.prediction.has_value());
+    const Picture picture(map, device.mark);
+    return text + picture.Text() + LegendText(counts, map.prediction.has_value()) +
+           picture.BlockText() + "\n";
 }
 
 // The greatest of all cells and where it is.

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "base/format.h"
-#include "report/text.h"
 #include "base/progress.h"
+#include "report/text.h"
 
 namespace etalon {
 namespace {

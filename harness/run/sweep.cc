@@ -4,17 +4,19 @@
 #include <cctype>
 #include <chrono>
 #include <future>
+#include <optional>
 #include <ostream>
 
 #include "base/file.h"
+#include "base/file_lock.h"
 #include "base/format.h"
 #include "base/hash.h"
+#include "base/progress.h"
 #include "case/case.h"
 #include "numeric/ulp.h"
 #include "run/case_choice.h"
 #include "run/case_run.h"
 #include "run/fit.h"
-#include "base/progress.h"
 #include "run/sweep_check.h"
 
 namespace etalon {
@@ -331,6 +333,12 @@ Result<SweepRecord> RunSweep(const SweepChoice& choice, std::ostream& notes) {
     const SweepHeader header = HeaderOf(source, plan, *program, device, fitted, choice.options);
     const std::filesystem::path path =
         choice.journal.empty() ? JournalPath(header, choice.shard) : choice.journal;
+    std::optional<FileLock> lock;
+    std::error_code ignored;
+    if (!std::filesystem::is_character_file(path, ignored)) {
+        ETALON_TRY(taken, FileLock::Beside(path));
+        lock.emplace(std::move(taken));
+    }
     ETALON_TRY(journal, OpenJournal(path, header, choice.shard));
     if (journal.next > journal.first) {
         notes << format("{}: {} of {} blocks are done\n", path.string(),

@@ -31,8 +31,8 @@ struct SweepChoice {
 // tried once more in a fresh worker; if it fails again the record says at which floats, and the
 // journal keeps what was done. Notes tell of rate, resumption and flakes.
 //
-// Fails for what the user got wrong, for a journal that is of another sweep, torn or cannot be
-// written, and for a device that cannot run the program.
+// Fails for what the user got wrong, for a journal that is of another sweep, torn, at work in
+// another process or cannot be written, and for a device that cannot run the program.
 Result<SweepRecord> RunSweep(const SweepChoice& choice, std::ostream& notes);
 
 // What one sweep over all shards would have found.

@@ -55,7 +55,7 @@ TEST_F(MapCommandTest, DrawsThePicture) {
                                          "  others    c=3\n"));
     EXPECT_THAT(finished.out, HasSubstr("  cells     12 holds (50 %), 12 refused (50 %)\n"));
     EXPECT_THAT(finished.out,
-                HasSubstr("\n    ....++\n    ..+++x\n    .++xxx\n    .+xxxx\n"
+                HasSubstr("\n    ....+x\n    ..++xx\n    .+xxxx\n    +xxxxx\n"
                           "    . holds  x refused  + where the prediction changes\n"));
     EXPECT_THAT(finished.out, HasSubstr("  agrees    null:echo: 12 of 12 cells that must fail do, "
                                         "12 of 12 that must hold do\n"));
@@ -129,6 +129,32 @@ TEST_F(MapCommandTest, DrawsAtMostSoManyCharacters) {
         EXPECT_TRUE(!is_picture || line.size() == 4 + 64) << line;
     }
     EXPECT_EQ(lines, 24u);
+    EXPECT_THAT(finished.out, HasSubstr("  (up to 4x5 cells each; what fails goes first)\n"));
+}
+
+// One cell of thousands, and a line of predictions through it.
+TEST_F(MapCommandTest, HidesNoFailure) {
+    folder_.Write("cases/c.toml",
+                  "source = \"f.glsl\"\ncall = \"f(a, b)\"\n"
+                  "oracle = \"a + 1.0 * (abs(a - 0.5) < 0.003) * (abs(b - 0.5) < 0.006)\"\n"
+                  "accept = { absolute = 1e-3 }\n[domain]\n"
+                  "a = { range = [0.0, 1.0], sample = \"linear\", count = 9 }\n"
+                  "b = { range = [0.0, 1.0], sample = \"linear\", count = 9 }\n[map]\n"
+                  "over = [\"a\", \"b\"]\nsize = [199, 99]\n"
+                  "safe = \"b < 0.49\"\nbecause = \"an example\"\n");
+    const Finished finished = Map({});
+    EXPECT_THAT(finished.out, HasSubstr("(99.99 %), 1 refused"));
+    EXPECT_THAT(finished.out,
+                HasSubstr("\n    " + std::string(32, '+') + "x" + std::string(31, '+') + "\n"));
+}
+
+// What theory says of certain cells is not held against fewer of them.
+TEST_F(MapCommandTest, AnotherSizeNeedsNotShowAllOfThePrediction) {
+    Write("c", "fails = \"abs(a - 0.75) < 0.01 && b < 0.2\"\nbecause = \"one cell\"\n");
+    EXPECT_EQ(Map({}).status, 0);
+    const Finished finished = Map({"--size", "3x2"});
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    EXPECT_THAT(finished.out, HasSubstr("0 of 0 cells that must fail do"));
 }
 
 TEST_F(MapCommandTest, ACrashIsAVerdict) {

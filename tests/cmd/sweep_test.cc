@@ -95,6 +95,23 @@ TEST_F(SweepTest, GoesOnAfterAKill) {
     EXPECT_EQ(folder_.Read("killed"), folder_.Read("whole"));
 }
 
+TEST_F(SweepTest, RefusesAJournalThatIsBeingWritten) {
+    const std::vector<std::string> words =
+        Words({"-d", "null:echo", "--from", "0x1p-9", "--journal", "j"});
+    RunningProgram first(EtalonWords(words), options_);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (folder_.Read("j").empty() && std::chrono::steady_clock::now() < deadline) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    const Finished second = RunEtalon(words, options_);
+    EXPECT_EQ(second.status, 2);
+    EXPECT_EQ(second.out, "");
+    EXPECT_EQ(second.err, "etalon: j: another process is at work on it\n");
+    EXPECT_EQ(first.Wait().status, 0);
+    EXPECT_EQ(RunEtalon(words, options_).status, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "j.lock"));
+}
+
 TEST_F(SweepTest, ShardsAddUpToOneRun) {
     const Finished whole = Sweep({"-d", "null:flaw"});
     const Finished whole_json = Sweep({"-d", "null:flaw", "--json"});
