@@ -88,7 +88,9 @@ double Plane(int, int) {
 
 // Up and down again.
 double Ramp(int i, int) {
-    return -0.42 + 0.84 * (i < kSize / 2 ? i : kSize - i) / (kSize / 2);
+    constexpr int kHalf = kSize / 2;
+    const int steps = i < kHalf ? i : kSize - i;
+    return -0.42 + 0.84 * steps / kHalf;
 }
 
 template <int kWaves>
