@@ -71,6 +71,15 @@ class CompileTest : public ::testing::Test {
 
 const Argument kX{"x", "float", true, false};
 
+// GLSL has no way to quote a name's quotes.
+TEST_F(CompileTest, TakesAFileOfAnyName) {
+    const auto source = Write("it's \"two\"\nlines \\n.glsl", "float f() { return 1.0; }\n");
+    EXPECT_EQ(CompileError(MakeCall(source, "f()"), "spirv"), "");
+    const Result<Signature> wrong = Inspect(MakeCall(source, "g()"));
+    ASSERT_FALSE(wrong.ok());
+    EXPECT_THAT(wrong.error().message, HasSubstr("'g'"));
+}
+
 TEST_F(CompileTest, FindsTypesOfEveryKind) {
     const auto source = Write("types.glsl",
                               "struct Hit { vec3 position; int layer[2]; };\n"
