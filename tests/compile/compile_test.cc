@@ -71,13 +71,15 @@ class CompileTest : public ::testing::Test {
 
 const Argument kX{"x", "float", true, false};
 
-// GLSL has no way to quote a name's quotes.
-TEST_F(CompileTest, TakesAFileOfAnyName) {
-    const auto source = Write("it's \"two\"\nlines \\n.glsl", "float f() { return 1.0; }\n");
-    EXPECT_EQ(CompileError(MakeCall(source, "f()"), "spirv"), "");
-    const Result<Signature> wrong = Inspect(MakeCall(source, "g()"));
-    ASSERT_FALSE(wrong.ok());
-    EXPECT_THAT(wrong.error().message, HasSubstr("'g'"));
+// GLSL has no way to write a quote in a file's name.
+TEST_F(CompileTest, KnowsNamesThatGlslCannotTell) {
+    Call call = MakeCall(Write("it's \\n.glsl", "float f() { return 1.0; }\n"), "f()");
+    call.wanted[0].origin = "cases/\"two\"\nlines.toml:2: call";
+    EXPECT_EQ(CompileError(call, "spirv"), "");
+    call.source = Write("\"two\".glsl", "float f() { return 1.0; }\n");
+    EXPECT_THAT(CompileError(call, "spirv"),
+                ::testing::EndsWith("\"two\".glsl' has a quote or a line's end in its name, which "
+                                    "GLSL cannot tell"));
 }
 
 TEST_F(CompileTest, FindsTypesOfEveryKind) {
