@@ -19,6 +19,7 @@ class MapCommand : public Command {
 
   private:
     Result<MapRecord> Find();
+    std::string KeyOf(const MapRecord& map) const;
 
     MapChoice choice_;
     std::string root_;
@@ -31,10 +32,8 @@ MapCommand::MapCommand(CLI::App& app)
     : Command(app.add_subcommand(
           "map",
           "A picture of a case over two of its inputs: where it holds, by how much it is off, "
-          "where "
-          "it yields NaN or misses a hit; held against what theory predicts, where the case's "
-          "[map] "
-          "says so")) {
+          "where it yields NaN or misses a hit; held against what theory predicts, where the "
+          "case's [map] says so")) {
     word_->add_option("CASE", choice_.pattern, "a case's path, or a pattern that names one")
         ->required();
     word_
@@ -79,15 +78,28 @@ Result<MapRecord> MapCommand::Find() {
     return MakeMap(choice_);
 }
 
+// What the user says beside the case makes it another map; its size does not.
+std::string MapCommand::KeyOf(const MapRecord& map) const {
+    std::string key = format("{} over {},{}", map.case_path, map.x.name, map.y.name);
+    for (const std::string& range : choice_.scope.ranges) {
+        key += " in " + range;
+    }
+    const auto add = [&key](const char* word, const std::string& value) {
+        key += value.empty() ? "" : word + value;
+    };
+    add(" at ", choice_.scope.at);
+    add(" of ", choice_.scope.output);
+    return key;
+}
+
 int MapCommand::Run() {
     const Result<MapRecord> map = Find();
     if (!map) {
         return Complain(map.error().message);
     }
     std::cout << (json_ ? MapJson(*map) : MapText(*map));
-    if (auto added = report_.Add(ReportSection::kMaps,
-                                 format("{} over {},{}", map->case_path, map->x.name, map->y.name),
-                                 [&map] { return MapJson(*map); });
+    if (auto added =
+            report_.Add(ReportSection::kMaps, KeyOf(*map), [&map] { return MapJson(*map); });
         !added) {
         return Complain(added.error().message);
     }

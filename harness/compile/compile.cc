@@ -102,7 +102,10 @@ class FrontEnd {
     static std::string Assemble(const std::vector<Piece>& pieces) {
         std::string text = "#extension GL_GOOGLE_cpp_style_line_directive : enable\n";
         for (const Piece& piece : pieces) {
-            text += "\n#line 1 \"" + piece.name + "\"\n" + piece.text;
+            std::string name = piece.name;  // GLSL knows no escapes
+            std::replace(name.begin(), name.end(), '"', '\'');
+            std::replace(name.begin(), name.end(), '\n', ' ');
+            text += "\n#line 1 \"" + name + "\"\n" + piece.text;
         }
         return text;
     }

@@ -57,6 +57,10 @@ Includer::IncludeResult* Includer::Refuse(const std::string& reason) {
 }
 
 Includer::IncludeResult* Includer::Open(const fs::path& path) {
+    if (path.string().find_first_of("\"\n") != std::string::npos) {
+        return Refuse("'" + path.string() +
+                      "' has a quote or a line's end in its name, which GLSL cannot tell");
+    }
     const fs::path canonical = Canonical(path);
     if (!MayRead(canonical)) {
         return Refuse("'" + path.string() +

@@ -71,6 +71,17 @@ class CompileTest : public ::testing::Test {
 
 const Argument kX{"x", "float", true, false};
 
+// GLSL has no way to write a quote in a file's name.
+TEST_F(CompileTest, KnowsNamesThatGlslCannotTell) {
+    Call call = MakeCall(Write("it's \\n.glsl", "float f() { return 1.0; }\n"), "f()");
+    call.wanted[0].origin = "cases/\"two\"\nlines.toml:2: call";
+    EXPECT_EQ(CompileError(call, "spirv"), "");
+    call.source = Write("\"two\".glsl", "float f() { return 1.0; }\n");
+    EXPECT_THAT(CompileError(call, "spirv"),
+                ::testing::EndsWith("\"two\".glsl' has a quote or a line's end in its name, which "
+                                    "GLSL cannot tell"));
+}
+
 TEST_F(CompileTest, FindsTypesOfEveryKind) {
     const auto source = Write("types.glsl",
                               "struct Hit { vec3 position; int layer[2]; };\n"

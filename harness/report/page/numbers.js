@@ -34,8 +34,8 @@ export class LogAxis {
     constructor(values) {
         const all = values.map(number);
         const positive = all.filter(x => x > 0 && Number.isFinite(x));
-        const least = positive.length ? Math.min(...positive) : 1;
-        const greatest = positive.length ? Math.max(...positive) : 1;
+        const least = positive.length ? positive.reduce((a, b) => Math.min(a, b)) : 1;
+        const greatest = positive.length ? positive.reduce((a, b) => Math.max(a, b)) : 1;
         this.hasZero = all.some(x => x <= 0);
         this.hasInfinity = all.some(x => x === Infinity || Number.isNaN(x));
         this.zero = 10 ** (Math.floor(Math.log10(least)) - 1);

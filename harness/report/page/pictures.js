@@ -4,7 +4,7 @@ import { View, parse } from "vega";
 import { compile } from "vega-lite";
 import { budgetRows, budgetSpec, sweepSpec } from "./specs_errors.js";
 import { costSpec, familySpec, offered } from "./specs_family.js";
-import { hasCells, kMarks, kPanels, mapSpec, marksSeen } from "./specs_map.js";
+import { coarse, hasCells, kMarks, kPanels, mapSpec, marksSeen } from "./specs_map.js";
 import { theme } from "./theme.js";
 
 const kWidth = 460;
@@ -30,7 +30,8 @@ function familyPictures(chart, name) {
     return pictures;
 }
 
-function mapPictures(map, name) {
+function mapPictures(whole, name) {
+    const { map, block } = coarse(whole);
     const shown = map.devices.filter(hasCells);
     const says = marksSeen(map).filter(mark => kMarks[mark]?.shape).map(mark => `${glyph(mark)} ${mark}`).join("   ");
     const title = `${map.case}: ${map.output}${map.fixed ? ` at ${map.fixed}` : ""}`;
@@ -41,7 +42,7 @@ function mapPictures(map, name) {
         const devices = panel === "error" ? shown : shown.slice(0, 1);
         if (!devices.length) continue;
         pictures[`map-${name}${panel === "error" ? "" : `-${panel}`}`] =
-            side(devices.map(device => mapSpec(map, panel, device, { width: kWidth, merge: true })), title, [panel === "error" ? says : "", theory].filter(Boolean));
+            side(devices.map(device => mapSpec(map, panel, device, { width: kWidth, merge: true })), title, [panel === "error" ? says : "", block && `each cell is the worst of ${block}`, theory].filter(Boolean));
     }
     return pictures;
 }

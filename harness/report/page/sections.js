@@ -7,7 +7,7 @@ import { glyph } from "./pictures.js";
 import { inputsOf, observation } from "./record.js";
 import { budgetRows, budgetSpec, sweepSpec } from "./specs_errors.js";
 import { costSpec, familySpec, kErrors, offered, remarkOf } from "./specs_family.js";
-import { hasCells, kMarks, kPanels, mapSpec, marksSeen } from "./specs_map.js";
+import { coarse, hasCells, kMarks, kPanels, mapSpec, marksSeen } from "./specs_map.js";
 import { kVerdicts, rankOf, usedText, wordOf } from "./verdicts.js";
 
 // Charts with their controls: `draw(state)` gives the elements for what is chosen.
@@ -106,10 +106,11 @@ export function familyArticle(family) {
 }
 
 function agreementText({ device, safe, safe_held, fails, failed }) {
-    return `${device}: of ${count(fails)} cells where theory says that it fails, ${count(failed)} do; of ${count(safe)} where it says that it holds, ${count(safe_held)} do`;
+    return `${safe === safe_held && fails === failed ? "✓ agrees" : "✗ differs"} on ${device}: of ${count(fails)} cells where theory says that it fails, ${count(failed)} do; of ${count(safe)} where it says that it holds, ${count(safe_held)} do`;
 }
 
-export function mapArticle(map, key) {
+export function mapArticle(whole, key) {
+    const { map, block } = coarse(whole);
     const shown = map.devices.filter(hasCells);
     const state = { panel: "error" };
     const panels = kPanels.filter(([panel]) => panel === "error" || map[panel]);
@@ -120,6 +121,7 @@ export function mapArticle(map, key) {
         map.prediction ? el("p", {}, `Theory: ${map.prediction.because.replace(/\.?$/, ".")} `, el("span", { class: "soft" }, [map.prediction.fails && `Fails where ${map.prediction.fails} (solid line). `, map.prediction.safe && `Holds where ${map.prediction.safe} (dashed line).`].filter(Boolean).join(""))) : null,
         ...chosen(state, [["panel", "Show", panels]], ({ panel }) => [
             panel === "error" ? el("p", { class: "legend" }, legend) : null,
+            block ? el("p", { class: "soft" }, `Each cell that is drawn is the worst of ${block}.`) : null,
             el("div", { class: "facets" }, (panel === "error" ? shown : shown.slice(0, 1)).map(device =>
                 chart(size => mapSpec(map, panel, device, size), `${map.case} on ${device.device}: ${panel}`))),
         ].filter(Boolean)),

@@ -10,7 +10,7 @@ export const kMarks = {
     refused: { shape: "circle", size: 0.24, filled: true, hasError: true, says: "refused: beyond the tolerance" },
     spent: { shape: "square", size: 0.55, filled: false, hasError: true, says: "spent: the budget of iterations was used up" },
     missed: { shape: "circle", size: 0.6, filled: false, hasError: false, says: "missed: there is a hit, and none was found" },
-    wrong: { shape: "cross", size: 0.65, filled: true, hasError: false, says: "wrong: another hit than the first" },
+    wrong: { shape: "cross", size: 0.65, filled: true, hasError: false, says: "wrong: another hit than the first, or one where there is none" },
     nan: { shape: "diamond", size: 0.65, filled: true, hasError: false, says: "NaN" },
     infinity: { shape: "triangle-up", size: 0.65, filled: true, hasError: false, says: "infinity" },
     undecided: { shape: "stroke", size: 0.6, filled: false, hasError: false, says: "undecided: no truth there" },
@@ -21,6 +21,7 @@ const kPlainAxis = {
     grid: false, tickCount: 6, labelOverlap: true,
     labelExpr: "datum.value !== 0 && (abs(datum.value) < 1e-3 || abs(datum.value) >= 1e5) ? format(datum.value, '.0e') : format(datum.value, '~r')",
 };
+const kLargestSign = 30;
 const kSteps = 4;  // colours in a decade
 
 // A device that cannot run the program has none.
@@ -31,8 +32,57 @@ const isLog = (axis, edges) => axis.scale === "log" && edges.every(edge => numbe
 function scaleOf(axis) {
     const edges = axis.edges.map(number);
     const type = isLog(axis, edges) ? "log" : "linear";
-    const domain = [Math.min(...edges), Math.max(...edges)];
-    return { type, domain, nice: false, ...(type === "linear" ? { zero: false } : {}) };
+    return { type, domain: [edges[0], edges.at(-1)], nice: false, ...(type === "linear" ? { zero: false } : {}) };
+}
+
+// Of a logarithmic axis that spans few decades 1, 2 and 5 of each, else the decades.
+function ticksOf(axis) {
+    const [low, high] = [number(axis.edges[0]), number(axis.edges.at(-1))];
+    if (!isLog(axis, [low]) || high < 4 * low) return kPlainAxis;
+    const decades = Math.log10(high / low);
+    const values = [];
+    for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); power += Math.ceil(decades / 9)) {
+        for (const step of decades < 3.5 ? [1, 2, 5] : [1]) values.push(Number(`${step}e${power}`));
+    }
+    return { ...kPlainAxis, tickCount: values.length, labelOverlap: "greedy", values: values.filter(value => value >= low * 0.9999 && value <= high * 1.0001) };
+}
+
+// More cells across or upwards than this are as small as pixels, and too many for a browser.
+const kMostCells = 320;
+// From the best to the worst, as the program orders them.
+const kFromBest = ["holds", "undecided", "refused", "wrong", "missed", "spent", "infinity", "nan", "crash"];
+
+// The map in blocks of cells where it has too many to draw, each as the worst of its cells; and how
+// many cells a block has: "4×4", "" for one.
+export function coarse(map) {
+    const [width, height] = [map.x.values.length, map.y.values.length];
+    const [across, along] = [Math.ceil(width / kMostCells), Math.ceil(height / kMostCells)];
+    if (across === 1 && along === 1) return { map, block: "" };
+    const columns = Math.ceil(width / across);
+    const blocks = Array.from({ length: columns * Math.ceil(height / along) }, () => []);
+    for (let iy = 0; iy < height; ++iy) {
+        for (let ix = 0; ix < width; ++ix) blocks[Math.floor(iy / along) * columns + Math.floor(ix / across)].push(iy * width + ix);
+    }
+    const worst = isWorse => blocks.map(cells => cells.reduce((found, cell) => (isWorse(cell, found) ? cell : found)));
+    const greatest = values => values && worst((a, b) => number(values[a]) > number(values[b])).map(cell => values[cell]);
+    const axisOf = (axis, step) => ({
+        ...axis, edges: axis.edges.filter((_, index) => index % step === 0 || index === axis.edges.length - 1),
+        values: axis.values.filter((_, index) => index % step === Math.min(step >> 1, axis.values.length - 1 - (index - index % step))),
+    });
+    const ranks = map.marks.map(mark => kFromBest.indexOf(mark));
+    const devices = map.devices.map(device => {
+        if (!hasCells(device)) return device;
+        const { error, mark } = device;
+        const cells = worst((a, b) => ranks[mark[a]] > ranks[mark[b]] || (mark[a] === mark[b] && number(error[a]) > number(error[b])));
+        return { ...device, error: cells.map(cell => error[cell]), mark: cells.map(cell => mark[cell]) };
+    });
+    const forecasts = map.prediction?.cells;
+    // Nothing is said of a block of which theory says several things.
+    const prediction = forecasts ? { ...map.prediction, cells: blocks.map(([first, ...others]) => (others.every(cell => forecasts[cell] === forecasts[first]) ? forecasts[first] : 0)) } : null;
+    return {
+        map: { ...map, x: axisOf(map.x, across), y: axisOf(map.y, along), devices, prediction, condition: greatest(map.condition), disagreement: greatest(map.disagreement) },
+        block: `${across}×${along}`,
+    };
 }
 
 // The values that a panel shows of a device, by cell, and the marks, if it has any.
@@ -154,7 +204,7 @@ export function heart(cells, kind, width, height) {
     };
     for (let iy = 0; iy < height; ++iy) for (let ix = 0; ix < width; ++ix) sweep(ix, iy, -1, -1);
     for (let iy = height - 1; iy >= 0; --iy) for (let ix = width - 1; ix >= 0; --ix) sweep(ix, iy, 1, 1);
-    const best = depth.indexOf(Math.max(...depth));
+    const best = depth.reduce((found, each, cell) => (each > depth[found] ? cell : found), 0);
     return depth[best] >= 3 ? [best % width, Math.floor(best / width)] : null;
 }
 
@@ -189,8 +239,8 @@ export function mapSpec(map, panel, device, { width, isDark = false, merge = fal
     const axis = colourAxis(map, panel);
     const [columns, rows] = [map.x.values.length, map.y.values.length];
     const height = Math.round(width * Math.min(1, Math.max(0.5, rows / columns)));
-    const x = { type: "quantitative", title: map.x.name, scale: scaleOf(map.x), axis: kPlainAxis };
-    const y = { type: "quantitative", title: map.y.name, scale: scaleOf(map.y), axis: kPlainAxis };
+    const x = { type: "quantitative", title: map.x.name, scale: scaleOf(map.x), axis: ticksOf(map.x) };
+    const y = { type: "quantitative", title: map.y.name, scale: scaleOf(map.y), axis: ticksOf(map.y) };
     const cells = cellsOf(map, device, panel, axis, merge);
     const place = { x: { ...x, field: "x1" }, x2: { field: "x2" }, y: { ...y, field: "y1" }, y2: { field: "y2" } };
     const tooltip = merge ? null : [
@@ -219,7 +269,7 @@ export function mapSpec(map, panel, device, { width, isDark = false, merge = fal
     }
     if (panel === "error") {
         const side = Math.min(width / columns, height / rows);
-        layer.push(...symbolLayers(symbolsOf(map, device, axis, side < 9), { x, y }, side < 9 ? 1.5 * side : side));
+        layer.push(...symbolLayers(symbolsOf(map, device, axis, side < 9), { x, y }, side < 9 ? 1.5 * side : Math.min(side, kLargestSign)));
     }
     if (map.prediction) layer.push(...theoryLayers(map, x, y));
     return { title: { text: panel === "error" ? device.device : titleOf(map, panel) }, width, height, layer,

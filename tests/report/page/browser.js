@@ -51,3 +51,16 @@ export async function drawn(page, selector) {
     await page.evaluate(wanted => document.querySelector(wanted).scrollIntoView({ block: "center", behavior: "instant" }), selector);
     return page.$(selector);
 }
+
+// Moves the mouse over a chart, as a reader who looks for a point, until a tooltip shows.
+export async function hover(page, chart) {
+    const box = await (await chart.$("canvas")).boundingBox();
+    for (let y = box.y + 20; y < box.y + Math.min(box.height, 320); y += 13) {
+        for (let x = box.x + 60; x < box.x + box.width - 10; x += 13) {
+            await page.mouse.move(x, y);
+            const shown = await page.evaluate(() => document.querySelector("#vg-tooltip-element.visible")?.innerText ?? "");
+            if (shown) return shown;
+        }
+    }
+    return "";
+}

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { drawn, launch, openPage, writePage } from "./browser.js";
+import { drawn, hover, launch, openPage, writePage } from "./browser.js";
 import { failed, record, report, run } from "./fixtures.js";
 
 let browser;
@@ -16,19 +16,6 @@ after(() => browser?.close());
 const text = (page, selector) => page.$eval(selector, element => element.textContent);
 const texts = (page, selector) => page.$$eval(selector, all => all.map(element => element.textContent));
 const overflow = page => page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-
-// Moves the mouse over a chart, as a reader who looks for a point, until a tooltip shows.
-async function hover(page, chart) {
-    const box = await (await chart.$("canvas")).boundingBox();
-    for (let y = box.y + 20; y < box.y + Math.min(box.height, 320); y += 13) {
-        for (let x = box.x + 60; x < box.x + box.width - 10; x += 13) {
-            await page.mouse.move(x, y);
-            const shown = await page.evaluate(() => document.querySelector("#vg-tooltip-element.visible")?.innerText ?? "");
-            if (shown) return shown;
-        }
-    }
-    return "";
-}
 
 async function drawEverything(page) {
     const charts = await page.$$(".chart");
