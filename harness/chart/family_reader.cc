@@ -428,6 +428,12 @@ Status<> FamilyReader::Count(const Case& read, bool is_judged, const toml::table
             return Error{one.place.Text() + "'spec': errors are measured against an oracle"};
         }
     }
+    if (cases_ == 0) {
+        recipes_ = read.recipes;
+    }
+    if (read.recipes != recipes_) {
+        return reader_.Fail(member, "'recipes': all members have the same in all scenes");
+    }
     const std::pair<bool, bool*> facts[] = {{has_truth, &family_.has_truth},
                                             {is_judged, &family_.is_judged},
                                             {is_search, &family_.is_search}};

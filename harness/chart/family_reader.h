@@ -47,7 +47,8 @@ class FamilyReader {
     toml::table table_;
     std::vector<Entry> members_;
     std::vector<Entry> scenes_;
-    std::size_t cases_ = 0;  // that have been counted
+    std::size_t cases_ = 0;             // that have been counted
+    std::vector<std::string> recipes_;  // of the first of these
     Family family_;
 };
 

@@ -86,8 +86,10 @@ struct CountedCall {
 };
 
 // The operations of one evaluation, by the evaluator on the host in binary32, of the program as
-// SPIRV-Tools optimises it for speed: what nothing depends on, and what is computed already, is not
-// counted twice. Fails, with the reason, where the program cannot be evaluated there (derivatives).
+// SPIRV-Tools optimises it for speed: what nothing depends on is not counted, nor twice what is
+// computed already. But a sum of a product has become an fma: a product that is needed for itself,
+// too, counts in both, and `a * b - c` has a negation. Fails, with the reason, where the program
+// cannot be evaluated there (derivatives).
 Result<CountedCall> CountOperations(const PreparedCase& subject);
 
 }  // namespace etalon

@@ -153,22 +153,34 @@ std::string PointsText(const ChartRecord& chart, const std::vector<const ChartPo
     return AlignedText(rows, rows.front().size());
 }
 
+// What a search that holds a bound with its right hits does with the others: " (2.2 % wrong)".
+std::string OffText(const ChartPoint& point) {
+    std::string text;
+    for (const auto& [share, what] :
+         {std::pair(&ChartAccuracy::missed, "missed"), std::pair(&ChartAccuracy::wrong, "wrong")}) {
+        if ((*point.accuracy).*share > 0) {
+            text += (text.empty() ? " (" : ", ") + ShareText(point, share) + " " + what;
+        }
+    }
+    return text.empty() ? "" : text + ")";
+}
+
 // "1.00  exp2": with the ratio of its time, or with its operations.
 std::string BoundText(const ChartRecord& chart, const ChartBound& bound) {
     if (!bound.point) {
         return "none";
     }
     const ChartPoint& point = chart.points[*bound.point];
-    if (chart.cost_by != "time") {
-        return CountText(point, &ChartCounts::total) + "  " + point.label;
-    }
-    return TimeText(point, false) + "  " + point.label;
+    return (chart.cost_by == "time" ? TimeText(point, false)
+                                    : CountText(point, &ChartCounts::total)) +
+           "  " + point.label + OffText(point);
 }
 
 std::string BoundsText(const ChartRecord& chart, const std::string& device,
                        const std::string& scene) {
     std::vector<std::vector<std::string>> rows = {
-        {"error up to", "cheapest by its worst", "cheapest by 99.9 % of the rows"}};
+        {"error up to", chart.search ? "cheapest by its worst right hit" : "cheapest by its worst",
+         chart.search ? "cheapest by 99.9 % of its right hits" : "cheapest by 99.9 % of the rows"}};
     for (const ChartBound& bound : chart.bounds) {
         if (bound.device != device || bound.scene != scene) {
             continue;

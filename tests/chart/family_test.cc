@@ -220,6 +220,8 @@ TEST_F(FamilyTest, MistakesAreToldInOneLine) {
               file + "34: setting 'STEPS': 99999999999 is no integer of 32 bits");
     EXPECT_THAT(Complaint("map = { over = [\"x\", \"y\"] }\n" + std::string(kShort)),
                 HasSubstr("1: unknown key 'map'"));
+    EXPECT_EQ(Complaint(With(kShort, "call = \"b(x)\"", "call = \"b(x)\"\nrecipes = [\"spirv\"]")),
+              file + "7: 'recipes': all members have the same in all scenes");
     EXPECT_EQ(Complaint("oracle = \"x\"\ndomain = { x = { values = [1] } }\n"),
               file + "1: a family has members: [[member]] is missing");
     EXPECT_EQ(Complaint(With(kFull, "[8, 16]", "8")), file + "34: setting 'STEPS' must be a list");

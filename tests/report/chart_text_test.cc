@@ -106,6 +106,8 @@ TEST(ChartTextTest, WithoutATimeOfTheReferenceTimesAreNanoseconds) {
 TEST(ChartTextTest, ScenesStandBeforeAllWhereTheyAreAskedFor) {
     ChartRecord chart = ChartOfThree();
     chart.search = true;
+    chart.points[2].accuracy->missed = 0.005;
+    chart.points[2].accuracy->wrong = 0.03;
     chart.scenes = {{"sine", "four periods"}, {"plane", ""}};
     chart.points.push_back(PointOf("exact", "sine", 2, 1));
     const std::string compact = ChartText(chart, false);
@@ -113,6 +115,8 @@ TEST(ChartTextTest, ScenesStandBeforeAllWhereTheyAreAskedFor) {
     EXPECT_THAT(compact, testing::Not(HasSubstr("sine")));
     EXPECT_THAT(compact, HasSubstr("  missed  wrong  published  member\n"));
     EXPECT_THAT(compact, HasSubstr("  errors    absolute, texels, of right hits\n"));
+    EXPECT_THAT(compact, HasSubstr("cheapest by 99.9 % of its right hits\n"));
+    EXPECT_THAT(compact, HasSubstr("  0.50  rough (0.5 % missed, 3 % wrong)  "));
     const std::string full = ChartText(chart, true);
     EXPECT_THAT(full, HasSubstr("\nvulkan:d (spirv), scene 'sine'\n"));
     EXPECT_LT(full.find("scene 'sine'"), full.find("all 2 scenes"));

@@ -76,12 +76,13 @@ function boundsTable(family, scene) {
     if (!bounds.length) return null;
     const devices = [...new Set(bounds.map(bound => bound.device))];
     const rows = [...new Set(bounds.map(bound => bound.text))].flatMap(text => ["worst", "p999"].filter(by => bounds.some(bound => bound.text === text && bound.by === by)).map(by => [
-        text, by === "worst" ? "worst" : "99.9 %", ...devices.map(device => {
+        text, (by === "worst" ? "worst" : "99.9 %") + (family.search ? " of right hits" : ""), ...devices.map(device => {
             const found = bounds.find(bound => bound.text === text && bound.by === by && bound.device === device);
             const point = found && found.point !== null ? family.points[found.point] : null;
             if (!point) return el("span", { class: "soft" }, "none");
             const byCounts = family.cost_by === "operations" || !point.cost;
-            return `${point.label}: ${byCounts ? `${short(point.counts?.mean.total ?? NaN)} operations` : `${short(point.cost.nanoseconds)} ns`}`;
+            const off = family.search ? ["missed", "wrong"].filter(share => point.accuracy[share] > 0).map(share => `, ${percent(point.accuracy[share])} ${share}`).join("") : "";
+            return `${point.label}: ${byCounts ? `${short(point.counts?.mean.total ?? NaN)} operations` : `${short(point.cost.nanoseconds)} ns`}${off}`;
         })]));
     return [el("h4", {}, "The cheapest that holds a bound"), table(["error at most", "by", ...devices], rows, { class: "words", "aria-label": "bounds" })];
 }
