@@ -170,7 +170,8 @@ TEST_F(MapPlanTest, SaysWhatIsWrong) {
     EXPECT_EQ(Why(kPlain, {.over = "a"}), "--over 'a': it reads X,Y, two inputs");
     EXPECT_EQ(Why(kPlain, {.over = "a,a"}), "--over 'a,a': it reads X,Y, two inputs");
     EXPECT_THAT(Why(kPlain, {.over = "a,z"}), HasSubstr("--over: the case has no input 'z'"));
-    EXPECT_EQ(Why(kMany, {.over = "a,v"}), "--over: 'v' is of type vec3, and a map is over floats or integers");
+    EXPECT_EQ(Why(kMany, {.over = "a,v"}),
+              "--over: 'v' is of type vec3, and a map is over floats or integers");
     EXPECT_EQ(Why(kMany, {.over = "a,b"}), "c: 'b' has no range; --range 'b=LOW:HIGH' gives one");
     for (const char* size : {"3", "3x", "x3", "0x3", "3x1025", "3x3x3", "-3x3"}) {
         EXPECT_THAT(Why(kPlain, {.over = "a,b", .size = size}), HasSubstr("it reads WIDTHxHEIGHT"));
