@@ -25,7 +25,7 @@ struct MapPrediction {
 };
 
 struct CaseMap {
-    std::string x;  // two different inputs of type float
+    std::string x;  // two different inputs of type float, int or uint
     std::string y;
     std::map<std::string, MapRange> ranges;  // in place of the input's own
     std::string at;                          // the other inputs: "n1=1.6"; else their first value

@@ -190,13 +190,18 @@ std::string WhyNoAxis(const std::vector<Domain>& domains, const std::string& nam
     std::vector<std::string_view> names;
     for (const Input& input : domains.front().inputs) {
         if (input.name == name) {
-            return input.type == "float"
+            return input.type == "float" || IsWhole(input.type)
                        ? ""
-                       : "'" + name + "' is of type " + input.type + ", and a map is over floats";
+                       : "'" + name + "' is of type " + input.type +
+                             ", and a map is over floats or integers";
         }
         names.push_back(input.name);
     }
     return "the case has no input '" + name + "'" + Suggestion(name, names);
+}
+
+bool IsWhole(const std::string& type) {
+    return type == "int" || type == "uint";
 }
 
 std::string WhyNoRange(const MapRange& range) {

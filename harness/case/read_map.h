@@ -18,6 +18,9 @@ std::optional<MapRange> OwnMapRange(const std::vector<Domain>& domains, const st
 // The reason why an input cannot be an axis over these domains; empty where it can.
 std::string WhyNoAxis(const std::vector<Domain>& domains, const std::string& name);
 
+// True for the types of which an axis has whole numbers alone.
+bool IsWhole(const std::string& type);
+
 // Why the range is none; empty where it is one.
 std::string WhyNoRange(const MapRange& range);
 

@@ -38,7 +38,7 @@ MapCommand::MapCommand(CLI::App& app)
         ->required();
     word_
         ->add_option("--over", choice_.scope.over,
-                     "the two float inputs; default: those of the case's [map]")
+                     "the two inputs, floats or integers; default: those of the case's [map]")
         ->type_name("X,Y");
     word_
         ->add_option("--range", choice_.scope.ranges,
@@ -49,7 +49,11 @@ MapCommand::MapCommand(CLI::App& app)
     word_->add_option("--at", choice_.scope.at,
                       "other inputs: 'n1=1,n2=0x1.8p+0'; default: the map's, else their first "
                       "value");
-    word_->add_option("--size", choice_.scope.size, "cells across and upwards; default: 96x64")
+    word_
+        ->add_option(
+            "--size", choice_.scope.size,
+            "cells across and upwards, of an integer at most as many; default: the map's, else "
+            "96x64")
         ->type_name("WxH");
     word_
         ->add_option("--output", choice_.scope.output,

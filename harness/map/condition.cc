@@ -34,8 +34,10 @@ class Differences {
         for (const MapPlan::Oracle& oracle : plan_.oracles) {
             const Columns middle = Values(oracle, centre_);
             std::vector<double> sums(rows_ * middle.size(), 0);
-            for (const std::string& name : {plan_.x.name, plan_.y.name}) {
-                AddTerms(oracle, middle, name, sums);
+            for (const MapAxis* const axis : {&plan_.x, &plan_.y}) {
+                if (!axis->is_whole) {
+                    AddTerms(oracle, middle, axis->name, sums);
+                }
             }
             for (std::size_t k = 0; k < middle.size(); ++k) {
                 for (std::uint64_t row = 0; row < rows_; ++row) {
@@ -154,7 +156,8 @@ class Differences {
 }  // namespace
 
 std::vector<double> ConditionNumbers(const MapPlan& plan) {
-    return plan.oracles.empty() ? std::vector<double>() : Differences(plan).Run();
+    const bool has_float = !plan.x.is_whole || !plan.y.is_whole;
+    return plan.oracles.empty() || !has_float ? std::vector<double>() : Differences(plan).Run();
 }
 
 }  // namespace etalon

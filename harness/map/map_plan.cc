@@ -31,6 +31,12 @@ std::string NameOf(const JudgedColumn& column) {
     return column.name.substr(0, column.name.find_first_of(".["));
 }
 
+// A place in the range, 0 to 1 from end to end.
+double At(const MapRange& range, double part) {
+    return range.is_log ? range.low * std::pow(range.high / range.low, part)
+                        : range.low + (range.high - range.low) * part;
+}
+
 class Planner {
   public:
     Planner(const Case& source, const MapScope& scope) : source_(source), scope_(scope) {}
@@ -163,7 +169,21 @@ class Planner {
         if (const std::string why = WhyNoRange(*range); !why.empty()) {
             return Fail("'" + name + "': " + why);
         }
-        return MakeMapAxis(name, *range, count);
+        const std::vector<Input>& inputs = source_.domains[0].inputs;
+        const auto input = std::find_if(inputs.begin(), inputs.end(),
+                                        [&](const Input& one) { return one.name == name; });
+        if (!IsWhole(input->type)) {
+            return MakeMapAxis(name, *range, count);
+        }
+        const auto [least, greatest] =
+            input->type == "int" ? std::pair(-0x1p31, 0x1p31 - 1) : std::pair(0.0, 0x1p32 - 1);
+        if (range->low < least || range->high > greatest) {
+            return Fail(format("'{}': the range is not one of type {}", name, input->type));
+        }
+        if (std::ceil(range->low) > std::floor(range->high)) {
+            return Fail("'" + name + "': the range holds no whole number");
+        }
+        return MakeWholeMapAxis(name, *range, count);
     }
 
     // What the user gives goes before what the [map] gives.
@@ -417,16 +437,35 @@ MapAxis MakeMapAxis(const std::string& name, const MapRange& range, std::uint32_
     MapAxis axis;
     axis.name = name;
     axis.is_log = range.is_log;
-    const auto at = [&](double part) {
-        return range.is_log ? range.low * std::pow(range.high / range.low, part)
-                            : range.low + (range.high - range.low) * part;
-    };
     for (std::uint32_t k = 0; k <= count; ++k) {
-        axis.edges.push_back(k == count ? range.high : at(static_cast<double>(k) / count));
+        axis.edges.push_back(k == count ? range.high : At(range, static_cast<double>(k) / count));
     }
     for (std::uint32_t k = 0; k < count; ++k) {
-        axis.values.push_back(static_cast<float>(at((k + 0.5) / count)));
+        axis.values.push_back(static_cast<float>(At(range, (k + 0.5) / count)));
     }
+    return axis;
+}
+
+MapAxis MakeWholeMapAxis(const std::string& name, const MapRange& range, std::uint32_t count) {
+    MapAxis axis;
+    axis.name = name;
+    axis.is_log = range.is_log;
+    axis.is_whole = true;
+    const double low = std::ceil(range.low);
+    const double high = std::floor(range.high);
+    const MapRange cells = {low - 0.5, high + 0.5, range.is_log};
+    axis.edges.push_back(cells.low);
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const double value = std::clamp(std::round(At(cells, (k + 0.5) / count)), low, high);
+        if (!axis.values.empty() && value == axis.values.back()) {
+            continue;
+        }
+        if (!axis.values.empty()) {
+            axis.edges.push_back((axis.values.back() + value) / 2);
+        }
+        axis.values.push_back(value);
+    }
+    axis.edges.push_back(cells.high);
     return axis;
 }
 

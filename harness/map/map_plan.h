@@ -55,6 +55,9 @@ struct MapPlan {
 // The edges of `count` cells from end to end, evenly in value or in its logarithm, and their
 // centres as floats.
 MapAxis MakeMapAxis(const std::string& name, const MapRange& range, std::uint32_t count);
+// The same for whole numbers: the centres rounded, each once, hence as many cells at most; the
+// edges halfway between them. The range must hold a whole number.
+MapAxis MakeWholeMapAxis(const std::string& name, const MapRange& range, std::uint32_t count);
 
 // Other inputs take what `at` gives, else their first value: the first listed, the low end of a
 // range, the first of a sphere's axes, the direct opposite of `against`. Those with an `expr`

@@ -32,8 +32,9 @@ enum class MapForecast : std::uint8_t { kOpen, kSafe, kFails };
 struct MapAxis {
     std::string name;
     bool is_log = false;
+    bool is_whole = false;       // of an integer: cells reach halfway to the next value
     std::vector<double> edges;   // of the cells, ascending, one more than there are cells
-    std::vector<double> values;  // floats, at which the cells were evaluated
+    std::vector<double> values;  // at which the cells were evaluated; exact
 };
 
 // Cell (ix, iy) of all that follows stands at iy * x.values.size() + ix.
@@ -86,8 +87,8 @@ struct MapRecord {
     std::string fixed;    // the other inputs: "n1=1.6"
     bool search = false;  // whether cells can be missed or wrong
     std::vector<MappedDevice> devices;
-    // Of the oracle in the two inputs, the sum of |x df/dx| / |f|: how much larger the relative
-    // error of the result is than theirs. Empty where there is no oracle.
+    // Of the oracle in those of the two inputs that are floats, the sum of |x df/dx| / |f|: how
+    // much larger the relative error of the result is than theirs. Empty where there is none.
     std::vector<double> condition;
     // The greatest distance of two devices' results, in ulp. Empty where fewer than two have any.
     std::vector<double> disagreement;

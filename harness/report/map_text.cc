@@ -29,8 +29,9 @@ std::array<std::uint64_t, kMapMarks> Count(const std::vector<MapMark>& marks) {
 }
 
 std::string AxisText(const MapAxis& axis) {
+    const std::vector<double>& ends = axis.is_whole ? axis.values : axis.edges;
     return format("{}, {} cells from {} to {}, {}", axis.name, axis.values.size(),
-                  ShortNumber(axis.edges.front()), ShortNumber(axis.edges.back()),
+                  ShortNumber(ends.front()), ShortNumber(ends.back()),
                   axis.is_log ? "logarithmic" : "linear");
 }
 

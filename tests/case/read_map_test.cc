@@ -19,7 +19,7 @@ class ReadMapTest : public testing::Test {
         "a = { range = [0.0, 1.0], count = 3 }\n"
         "b = { range = [1.0, 4.0], sample = \"log\", count = 3 }\n"
         "c = { values = [1.0] }\n"
-        "n = { type = \"int\", values = [1] }\n"
+        "n = { type = \"ivec2\", values = [[1, 2]] }\n"
         "[map]\n";
     static constexpr int kMapLine = 11;  // of the first key
 
@@ -102,8 +102,9 @@ TEST_F(ReadMapTest, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(Why("over = [\"a\", \"a\"]\n"), "cases/c.toml:11: 'over' names 'a' twice");
     EXPECT_THAT(Why("over = [\"a\", \"bb\"]\n"),
                 HasSubstr("cases/c.toml:11: 'over': the case has no input 'bb'"));
-    EXPECT_EQ(Why("over = [\"a\", \"n\"]\n"),
-              "cases/c.toml:11: 'over': 'n' is of type int, and a map is over floats");
+    EXPECT_EQ(
+        Why("over = [\"a\", \"n\"]\n"),
+        "cases/c.toml:11: 'over': 'n' is of type ivec2, and a map is over floats or integers");
     EXPECT_EQ(Why("over = [\"a\", \"c\"]\n"),
               "cases/c.toml:11: 'over': 'c' has no range in the domain; 'ranges' gives one");
     EXPECT_THAT(Why(over + "rangs = {}\n"), HasSubstr("cases/c.toml:12: unknown key 'rangs'"));

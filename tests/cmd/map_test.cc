@@ -132,6 +132,31 @@ TEST_F(MapCommandTest, DrawsAtMostSoManyCharacters) {
     EXPECT_THAT(finished.out, HasSubstr("  (up to 4x5 cells each; what fails goes first)\n"));
 }
 
+// Of an integer: a line of cells each, and the command that repeats one.
+TEST_F(MapCommandTest, MapsWholeNumbers) {
+    const auto write = [&](const std::string& safe) {
+        folder_.Write("cases/c.toml",
+                      "source = \"f.glsl\"\ncall = \"f(a, float(n))\"\noracle = \"min(a, n)\"\n"
+                      "accept = { absolute = 1e-3 }\n[domain]\n"
+                      "a = { range = [0.0, 4.0], sample = \"linear\", count = 9 }\n"
+                      "n = { type = \"int\", range = [1, 3], count = 3 }\n[map]\n"
+                      "over = [\"a\", \"n\"]\nsize = [4, 64]\nsafe = \"" +
+                          safe + "\"\nbecause = \"theory\"\n");
+    };
+    write("a <= n");
+    const Finished finished = Map({});
+    EXPECT_EQ(finished.status, 0) << finished.err;
+    EXPECT_THAT(finished.out, HasSubstr("  upwards   n, 3 cells from 1 to 3, linear\n"));
+    EXPECT_THAT(finished.out, HasSubstr("\n    ..+x\n    .+xx\n    +xxx\n"));
+    write("a < n + 1");
+    const Finished wrong = Map({});
+    EXPECT_EQ(wrong.status, 1);
+    const std::string command = Lines(wrong.err).at(1);
+    EXPECT_THAT(command, EndsWith(" --at a=0x1.8p+0,n=1"));
+    const Finished again = RunInShell(command.substr(command.find("etalon")), options_);
+    EXPECT_THAT(again.out, HasSubstr("refused   1 of 1 values"));
+}
+
 // One cell of thousands, and a line of predictions through it.
 TEST_F(MapCommandTest, HidesNoFailure) {
     folder_.Write("cases/c.toml",

@@ -37,6 +37,21 @@ TEST_F(ConditionTest, OfPowers) {
     EXPECT_THAT(Of("7"), Each(0.0));
 }
 
+// An integer is not rounded.
+TEST_F(ConditionTest, OfFloatsAlone) {
+    const std::string text =
+        "call = \"f(float(n), b)\"\noracle = \"n^5 * b^3 * m\"\naccept = { ulp = 1 }\n[domain]\n"
+        "n = { type = \"int\", range = [1, 9], count = 9 }\n"
+        "m = { type = \"int\", range = [1, 9], count = 9 }\n"
+        "b = { range = [0.5, 4.0], count = 9 }\n";
+    const auto one = Plan(text, {.over = "n,b", .size = "3x2"});
+    ASSERT_TRUE(one) << one.error().message;
+    EXPECT_THAT(ConditionNumbers(*one), Each(DoubleNear(3, 1e-9)));
+    const auto none = Plan(text, {.over = "n,m"});
+    ASSERT_TRUE(none) << none.error().message;
+    EXPECT_TRUE(ConditionNumbers(*none).empty());
+}
+
 TEST_F(ConditionTest, OfADifference) {
     const std::vector<double> condition = Of("a - b * 1.0931");
     for (std::size_t cell = 0; cell < condition.size(); ++cell) {

@@ -42,6 +42,42 @@ TEST_F(MapPlanTest, CentresCellsBetweenTheirEdges) {
     EXPECT_EQ(third.values[0], static_cast<double>(static_cast<float>(1.0 / 6)));
 }
 
+TEST_F(MapPlanTest, WholeNumbersHaveACellEach) {
+    const MapAxis few = MakeWholeMapAxis("n", {-1.0, 2.5, false}, 96);
+    EXPECT_THAT(few.values, ElementsAre(-1, 0, 1, 2));
+    EXPECT_THAT(few.edges, ElementsAre(-1.5, -0.5, 0.5, 1.5, 2.5));
+    const MapAxis many = MakeWholeMapAxis("n", {1.0, 100.0, false}, 4);
+    EXPECT_THAT(many.values, ElementsAre(13, 38, 63, 88));
+    EXPECT_THAT(many.edges, ElementsAre(0.5, 25.5, 50.5, 75.5, 100.5));
+    const MapAxis log = MakeWholeMapAxis("n", {1.0, 1024.0, true}, 12);
+    EXPECT_EQ(log.values[0], 1);
+    EXPECT_EQ(log.edges.size(), log.values.size() + 1);
+    for (std::size_t k = 0; k < log.values.size(); ++k) {
+        EXPECT_LT(log.edges[k], log.values[k]);
+        EXPECT_LT(log.values[k], log.edges[k + 1]);
+        EXPECT_EQ(log.values[k], std::round(log.values[k]));
+    }
+}
+
+TEST_F(MapPlanTest, AnIntegerCanBeAnAxis) {
+    const std::string text =
+        "call = \"f(a, float(n))\"\noracle = \"a + n\"\naccept = { ulp = 1 }\n[domain]\n"
+        "a = { range = [1.0, 2.0], count = 9 }\n"
+        "n = { type = \"int\", range = [1, 3], count = 3 }\n"
+        "u = { type = \"uint\", range = [0, 3], count = 3 }\n";
+    const auto plan = Plan(text, {.over = "a,n", .size = "2x64"});
+    ASSERT_TRUE(plan) << plan.error().message;
+    EXPECT_EQ(plan->cells(), 6u);
+    const Table& table = plan->prepared.table;
+    EXPECT_EQ(table.columns[1].name, "n");
+    EXPECT_EQ(table.At(4, 1), 3u);
+    EXPECT_EQ(plan->prepared.judged.at(0).truth.values[4], 1.25 + 3);
+    EXPECT_THAT(Why(text, {.over = "a,u", .ranges = {"u=-1:3"}}),
+                EndsWith("'u': the range is not one of type uint"));
+    EXPECT_THAT(Why(text, {.over = "a,n", .ranges = {"n=1.25:1.5"}}),
+                EndsWith("'n': the range holds no whole number"));
+}
+
 TEST_F(MapPlanTest, ACellIsARow) {
     const auto plan = Plan(kPlain, {.over = "b,a", .size = "2x3"});
     ASSERT_TRUE(plan) << plan.error().message;
@@ -134,7 +170,8 @@ TEST_F(MapPlanTest, SaysWhatIsWrong) {
     EXPECT_EQ(Why(kPlain, {.over = "a"}), "--over 'a': it reads X,Y, two inputs");
     EXPECT_EQ(Why(kPlain, {.over = "a,a"}), "--over 'a,a': it reads X,Y, two inputs");
     EXPECT_THAT(Why(kPlain, {.over = "a,z"}), HasSubstr("--over: the case has no input 'z'"));
-    EXPECT_EQ(Why(kMany, {.over = "a,v"}), "--over: 'v' is of type vec3, and a map is over floats");
+    EXPECT_EQ(Why(kMany, {.over = "a,v"}),
+              "--over: 'v' is of type vec3, and a map is over floats or integers");
     EXPECT_EQ(Why(kMany, {.over = "a,b"}), "c: 'b' has no range; --range 'b=LOW:HIGH' gives one");
     for (const char* size : {"3", "3x", "x3", "0x3", "3x1025", "3x3x3", "-3x3"}) {
         EXPECT_THAT(Why(kPlain, {.over = "a,b", .size = size}), HasSubstr("it reads WIDTHxHEIGHT"));

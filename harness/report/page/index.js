@@ -15,6 +15,17 @@ function entries(part) {
     return Object.entries(part ?? {});
 }
 
+// An article, or that there can be none: what another version wrote must not take all else away.
+function articles(part, make) {
+    return entries(part).map(([key, data]) => {
+        try {
+            return make(data, key);
+        } catch (error) {
+            return el("article", {}, el("h3", {}, el("span", { class: "path" }, key)), el("p", {}, `cannot be shown: it is not as this version of etalon writes it (${error.message})`));
+        }
+    });
+}
+
 // The sections that the report has something for.
 function sectionsOf(report, matrix) {
     const { run } = report;
@@ -28,12 +39,12 @@ function sectionsOf(report, matrix) {
         const budget = budgetCharts(run);
         if (budget) sections.push(section("budget", "What errors are made of", el("p", { class: "soft" }, "The greatest parts of an error that the method, binary32's rounding and the driver make, of the cases where they are greatest."), budget));
     }
-    const charts = entries(report.charts);
-    if (charts.length) sections.push(section("charts", "Speed against accuracy", charts.map(([, family]) => familyArticle(family))));
-    const maps = entries(report.maps);
-    if (maps.length) sections.push(section("maps", "Where methods fail", maps.map(([key, map]) => mapArticle(map, key))));
-    const sweeps = entries(report.sweeps);
-    if (sweeps.length) sections.push(section("sweeps", "Every float", sweeps.map(([, sweep]) => sweepArticle(sweep))));
+    const charts = articles(report.charts, familyArticle);
+    if (charts.length) sections.push(section("charts", "Speed against accuracy", charts));
+    const maps = articles(report.maps, mapArticle);
+    if (maps.length) sections.push(section("maps", "Where methods fail", maps));
+    const sweeps = articles(report.sweeps, sweepArticle);
+    if (sweeps.length) sections.push(section("sweeps", "Every float", sweeps));
     const devices = deviceTable(report);
     if (devices) sections.push(section("devices", "Devices and their fingerprints", devices,
         run?.absent?.length ? el("details", {}, el("summary", {}, `${count(run.absent.length)} that are not here`), el("ul", {}, run.absent.map(({ name, reason }) => el("li", {}, `${name}: ${reason}`)))) : null));

@@ -226,6 +226,18 @@ test("an empty report and a report of one command load", async () => {
     }
 });
 
+test("what cannot be shown leaves all else", async () => {
+    const json = report(4);
+    json.maps = { "another/map": { case: "c" }, ...json.maps };
+    json.sweeps = { "another/sweep": {} };
+    const { page, complaints } = await openPage(browser, writePage(json));
+    assert.match(await text(page, "#maps article"), /another\/map.*cannot be shown/);
+    assert.match(await text(page, "#sweeps article"), /cannot be shown/);
+    await drawn(page, "#maps article:nth-of-type(2) .chart");
+    assert.deepEqual(complaints, []);
+    await page.close();
+});
+
 test("signs and words tell verdicts apart without colour", async () => {
     const { page } = await openPage(browser, html);
     for (const [word, sign] of [["fail", "✗"], ["known", "◇"], ["skip", "–"], ["pass", "✓"]]) {
