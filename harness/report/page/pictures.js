@@ -9,8 +9,19 @@ import { theme } from "./theme.js";
 
 const kWidth = 460;
 
+// Lines no longer than a chart is wide, about.
+function wrapped(text, most = 84) {
+    const lines = [""];
+    for (const word of text.split(" ")) {
+        const line = lines[lines.length - 1];
+        if (line && line.length + 1 + word.length > most) lines.push(word);
+        else lines[lines.length - 1] = line ? `${line} ${word}` : word;
+    }
+    return lines;
+}
+
 function side(specs, title, subtitle, more = {}) {
-    return { title: { text: title, subtitle, fontSize: 15, offset: 12 }, columns: 2, spacing: 28, concat: specs, ...more };
+    return { title: { text: wrapped(title, 62), subtitle, fontSize: 15, offset: 12 }, columns: 2, spacing: 28, concat: specs, ...more };
 }
 
 function familyPictures(chart, name) {
@@ -42,7 +53,7 @@ function mapPictures(whole, name) {
         const devices = panel === "error" ? shown : shown.slice(0, 1);
         if (!devices.length) continue;
         pictures[`map-${name}${panel === "error" ? "" : `-${panel}`}`] =
-            side(devices.map(device => mapSpec(map, panel, device, { width: kWidth, merge: true })), title, [panel === "error" ? says : "", block && `each cell is the worst of ${block}`, theory].filter(Boolean));
+            side(devices.map(device => mapSpec(map, panel, device, { width: kWidth, merge: true })), title, [panel === "error" ? says : "", block && `each cell is the worst of ${block}`, ...wrapped(theory)].filter(Boolean));
     }
     return pictures;
 }
