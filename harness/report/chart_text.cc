@@ -208,6 +208,11 @@ std::string ValuesText(const std::vector<const ChartPoint*>& points) {
     return text;
 }
 
+bool HasErrors(const ChartRecord& chart) {
+    return std::any_of(chart.points.begin(), chart.points.end(),
+                       [](const ChartPoint& point) { return point.accuracy.has_value(); });
+}
+
 std::string SceneText(const ChartRecord& chart, const DeviceInfo& device,
                       const std::string& scene) {
     std::vector<const ChartPoint*> points;
@@ -219,12 +224,15 @@ std::string SceneText(const ChartRecord& chart, const DeviceInfo& device,
     if (points.empty()) {
         return "";
     }
-    std::stable_sort(points.begin(), points.end(),
-                     [&chart](const ChartPoint* a, const ChartPoint* b) {
-                         const double first = CostOf(chart, *a);
-                         const double second = CostOf(chart, *b);
-                         return std::isnan(second) ? !std::isnan(first) : first < second;
-                     });
+    // Costs alone stand in the family's order: it may be that of techniques one upon the other.
+    if (HasErrors(chart)) {
+        std::stable_sort(points.begin(), points.end(),
+                         [&chart](const ChartPoint* a, const ChartPoint* b) {
+                             const double first = CostOf(chart, *a);
+                             const double second = CostOf(chart, *b);
+                             return std::isnan(second) ? !std::isnan(first) : first < second;
+                         });
+    }
     const bool is_one = chart.scenes.size() == 1 && chart.scenes.front().name.empty();
     return format("\n{} ({}){}\n", device.name, points.front()->recipe,
                   is_one           ? ""
@@ -245,9 +253,7 @@ std::string ChartText(const ChartRecord& chart, bool with_scenes) {
     if (!chart.at.empty()) {
         text += "  at        " + chart.at + "\n";
     }
-    const bool has_errors =
-        std::any_of(chart.points.begin(), chart.points.end(),
-                    [](const ChartPoint& point) { return point.accuracy.has_value(); });
+    const bool has_errors = HasErrors(chart);
     if (has_errors) {
         text += "  errors    " + chart.measure + (chart.unit.empty() ? "" : ", " + chart.unit) +
                 (chart.search ? ", of right hits\n" : "\n");

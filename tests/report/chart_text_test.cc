@@ -156,6 +156,7 @@ TEST(ChartTextTest, WithoutErrorsThereAreNoColumnsForThem) {
     const std::string text = ChartText(chart, false);
     EXPECT_THAT(text, testing::Not(HasSubstr("99.9 %  ")));
     EXPECT_THAT(text, testing::Not(HasSubstr("error")));
+    EXPECT_LT(text.find(" rough\n"), text.find(" broken\n")) << "in the family's order";
 }
 
 }  // namespace
