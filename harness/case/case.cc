@@ -79,6 +79,7 @@ class CaseReader {
         case_.description = description;
         case_.source = source;
         case_.call = call;
+        case_.source_place = reader_.PlaceOf(*table_.get("source"));
         case_.call_place = reader_.PlaceOf(*table_.get("call"));
         case_.family = family;
         const std::pair<const char*, std::vector<std::string>*> lists[] = {
@@ -88,6 +89,9 @@ class CaseReader {
                 ETALON_TRY(texts, reader_.Texts(*node, "'" + std::string(key) + "'"));
                 *list = texts;
             }
+        }
+        if (const toml::node* node = table_.get("with")) {
+            case_.with_place = reader_.PlaceOf(*node);
         }
         const std::pair<const char*, std::map<std::string, std::string>*> maps[] = {
             {"define", &case_.define}, {"out", &case_.out}};

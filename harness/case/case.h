@@ -65,6 +65,7 @@ struct Case {
         root;  // the folder that `source` and `with` are relative to (it holds cases/)
     std::string description;
     std::string source;
+    Place source_place;
     std::string call;
     Place call_place;
     std::string family;
@@ -73,6 +74,7 @@ struct Case {
     std::map<std::string, std::string> define;
     std::vector<std::string> include;
     std::vector<std::string> with;  // sources, or NAME=IMAGE
+    Place with_place;
     std::vector<ImageSource> images;
     std::map<std::string, std::string> out;  // name -> GLSL type
     std::vector<std::string> recipes;        // empty: the default set

@@ -347,7 +347,10 @@ Result<Case> FamilyReader::MakeCase(std::size_t member, std::size_t scene,
 
 Status<> FamilyReader::CheckNames(const toml::table& keys) const {
     const auto check_file = [this](const toml::node& node, const std::string& key) -> Status<> {
-        const std::filesystem::path file = root_ / node.as_string()->get();
+        const std::string& text = node.as_string()->get();
+        const std::size_t equals = text.find('=');  // of NAME=IMAGE
+        const std::filesystem::path file =
+            root_ / (equals == std::string::npos ? text : text.substr(equals + 1));
         std::error_code ignored;
         if (!std::filesystem::is_regular_file(file, ignored)) {
             return reader_.Fail(node, "'" + key + "': there is no file " + file.string());

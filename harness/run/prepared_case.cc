@@ -12,6 +12,14 @@
 namespace etalon {
 namespace {
 
+Status<> CheckThere(const std::filesystem::path& file, const Place& place, const char* key) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) {
+        return Error{place.Text() + "'" + key + "': there is no file " + file.string()};
+    }
+    return Ok();
+}
+
 Result<Call> CallOf(const Case& source, const Table& table) {
     Call call;
     call.source = source.root / source.source;
@@ -21,7 +29,13 @@ Result<Call> CallOf(const Case& source, const Table& table) {
     // All below the root may include each other.
     call.include_roots.push_back(source.root);
     call.defines = source.define;
-    ETALON_TRY_STEP(AddWith(source.with, source.root, call));
+    ETALON_TRY_STEP(CheckThere(call.source, source.source_place, "source"));
+    if (auto added = AddWith(source.with, source.root, call); !added) {
+        return Error{source.with_place.Text() + "'with': " + added.error().message};
+    }
+    for (const std::filesystem::path& file : call.with) {
+        ETALON_TRY_STEP(CheckThere(file, source.with_place, "with"));
+    }
     ETALON_TRY_STEP(AddImages(source.images, source.root, call));
     for (const Variable& variable : table.variables) {
         call.arguments.push_back({variable.name, variable.type, true, false});

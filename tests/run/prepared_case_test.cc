@@ -158,7 +158,15 @@ TEST_F(PreparedCaseTest, NamesTheCasesMistakes) {
     EXPECT_EQ(
         ErrorOf("source = \"no.glsl\"\ncall = \"f(x)\"\noracle = \"x\"\naccept = { ulp = 1 }\n" +
                 domain),
-        (folder_.path() / "no.glsl").string() + ": No such file or directory");
+        file + ":1: 'source': there is no file " + (folder_.path() / "no.glsl").string());
+    const auto scene = [&](const std::string& one) {
+        return ErrorOf("source = \"f.glsl\"\ncall = \"twice(x)\"\nwith = [\"" + one +
+                       "\"]\noracle = \"x\"\naccept = { ulp = 1 }\n" + domain);
+    };
+    EXPECT_EQ(scene("no.glsl"),
+              file + ":3: 'with': there is no file " + (folder_.path() / "no.glsl").string());
+    EXPECT_EQ(scene("map=no.png"), file + ":3: 'with': " + (folder_.path() / "no.png").string() +
+                                       ": No such file or directory");
     const auto law = [&](const std::string& holds) {
         return ErrorOf("source = \"f.glsl\"\ncall = \"twice(x)\"\n" + domain +
                        "[[law]]\nname = \"l\"\nholds = \"" + holds + "\"\n");
