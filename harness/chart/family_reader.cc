@@ -11,6 +11,7 @@
 #include "numeric/number_text.h"
 #include "probe/recipe.h"
 #include "run/given.h"
+#include "run/prepared_case.h"
 
 namespace etalon {
 namespace {
@@ -331,10 +332,11 @@ Result<Case> FamilyReader::MakeCase(std::size_t member, std::size_t scene,
         }
     }
     ETALON_TRY(read, ReadCaseKeys(reader_, keys, Purpose::kMeasure));
-    ETALON_TRY_STEP(CheckNames(keys));
+    ETALON_TRY_STEP(CheckRecipe(keys));
     read.path = family_.address;
     read.file = family_.file;
     read.root = root_;
+    ETALON_TRY_STEP(CheckFiles(read));
     for (const Setting& setting : settings) {
         read.define[setting.name] = setting.text;
     }
@@ -345,32 +347,17 @@ Result<Case> FamilyReader::MakeCase(std::size_t member, std::size_t scene,
     return std::move(read);
 }
 
-Status<> FamilyReader::CheckNames(const toml::table& keys) const {
-    const auto check_file = [this](const toml::node& node, const std::string& key) -> Status<> {
-        const std::string& text = node.as_string()->get();
-        const std::size_t equals = text.find('=');  // of NAME=IMAGE
-        const std::filesystem::path file =
-            root_ / (equals == std::string::npos ? text : text.substr(equals + 1));
-        std::error_code ignored;
-        if (!std::filesystem::is_regular_file(file, ignored)) {
-            return reader_.Fail(node, "'" + key + "': there is no file " + file.string());
-        }
+Status<> FamilyReader::CheckRecipe(const toml::table& keys) const {
+    const toml::node* recipes = keys.get("recipes");
+    if (recipes == nullptr) {
         return Ok();
-    };
-    ETALON_TRY_STEP(check_file(*keys.get("source"), "source"));
-    if (const toml::node* with = keys.get("with")) {
-        for (const toml::node& file : *with->as_array()) {
-            ETALON_TRY_STEP(check_file(file, "with"));
-        }
     }
-    if (const toml::node* recipes = keys.get("recipes")) {
-        if (recipes->as_array()->size() > 1) {
-            return reader_.Fail(*recipes, "'recipes': a chart has one");
-        }
-        for (const toml::node& recipe : *recipes->as_array()) {
-            if (const auto read = ParseRecipe(recipe.as_string()->get()); !read) {
-                return reader_.Fail(recipe, read.error().message);
-            }
+    if (recipes->as_array()->size() > 1) {
+        return reader_.Fail(*recipes, "'recipes': a chart has one");
+    }
+    for (const toml::node& recipe : *recipes->as_array()) {
+        if (const auto read = ParseRecipe(recipe.as_string()->get()); !read) {
+            return reader_.Fail(recipe, read.error().message);
         }
     }
     return Ok();

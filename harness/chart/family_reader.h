@@ -35,8 +35,8 @@ class FamilyReader {
     Result<FamilyPoint> MakePoint(std::size_t member, const std::vector<Setting>& settings);
     Result<Case> MakeCase(std::size_t member, std::size_t scene,
                           const std::vector<Setting>& settings);
-    // The sources exist, and there is one recipe at most.
-    Status<> CheckNames(const toml::table& keys) const;
+    // There is one recipe at most, and it is one.
+    Status<> CheckRecipe(const toml::table& keys) const;
     Status<> HoldInputs(const toml::value<std::string>& at, Case& held) const;
     // Takes a case's word for what the family is: all of them must agree.
     Status<> Count(const Case& read, bool is_judged, const toml::table& member);

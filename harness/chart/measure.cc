@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <mutex>
 #include <ostream>
 #include <thread>
 
@@ -91,11 +90,9 @@ class Measuring {
     Result<std::vector<Ready>> MakeAllReady(std::size_t scene) {
         std::vector<std::optional<Result<Ready>>> made(plan_.points.size());
         std::atomic<std::size_t> next = 0;
-        std::mutex drawing;
         const auto work = [&] {
             for (std::size_t p = next++; p < made.size(); p = next++) {
                 made[p] = MakeReady(p, scene);
-                const std::lock_guard lock(drawing);
                 progress_.Step(LabelAt(p));
             }
         };

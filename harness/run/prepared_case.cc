@@ -29,12 +29,9 @@ Result<Call> CallOf(const Case& source, const Table& table) {
     // All below the root may include each other.
     call.include_roots.push_back(source.root);
     call.defines = source.define;
-    ETALON_TRY_STEP(CheckThere(call.source, source.source_place, "source"));
+    ETALON_TRY_STEP(CheckFiles(source));
     if (auto added = AddWith(source.with, source.root, call); !added) {
         return Error{source.with_place.Text() + "'with': " + added.error().message};
-    }
-    for (const std::filesystem::path& file : call.with) {
-        ETALON_TRY_STEP(CheckThere(file, source.with_place, "with"));
     }
     ETALON_TRY_STEP(AddImages(source.images, source.root, call));
     for (const Variable& variable : table.variables) {
@@ -154,6 +151,16 @@ Result<PreparedLaw> PrepareLaw(const Law& law, const Call& call) {
 }
 
 }  // namespace
+
+Status<> CheckFiles(const Case& source) {
+    ETALON_TRY_STEP(CheckThere(source.root / source.source, source.source_place, "source"));
+    for (const std::string& one : source.with) {
+        const std::size_t equals = one.find('=');  // of NAME=IMAGE
+        const std::string file = equals == std::string::npos ? one : one.substr(equals + 1);
+        ETALON_TRY_STEP(CheckThere(source.root / file, source.with_place, "with"));
+    }
+    return Ok();
+}
 
 Result<PreparedCase> PrepareRows(const Case& source, Table table) {
     PreparedCase prepared;

@@ -50,6 +50,9 @@ struct PreparedCase {
     std::uint64_t all_rows = 0;  // from which the table's were chosen
 };
 
+// Fails, at the place of the key, where a source or a scene that the case names is no file.
+Status<> CheckFiles(const Case& source);
+
 // Reads what the case names, expands its domain, finds types and truths. Every mistake in the case
 // or its shader is an error here, before anything runs.
 Result<PreparedCase> Prepare(const Case& source);
