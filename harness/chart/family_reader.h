@@ -1,11 +1,23 @@
 // Reads the TOML of a family and expands it into points.
 #pragma once
 
+#include <algorithm>
+#include <span>
+
 #include "case/toml_reader.h"
 #include "chart/family.h"
 
 namespace etalon {
 
+// Keys of a case that say what is judged, or where it stands; a family has no use for them.
+inline constexpr std::string_view kJudgedKeys[] = {"family", "law", "covers", "expected_failure",
+                                                   "map"};
+
+inline bool IsAmong(std::string_view key, std::span<const std::string_view> keys) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+// Its parts: family_reader.cc reads head, scenes and members, family_case.cc makes the cases.
 class FamilyReader {
   public:
     // `text` is the file's.
@@ -33,6 +45,8 @@ class FamilyReader {
     Result<std::vector<Axis>> Axes(const toml::table& member) const;
     Result<Setting> ReadSetting(const std::string& name, const toml::node& node) const;
     Result<FamilyPoint> MakePoint(std::size_t member, const std::vector<Setting>& settings);
+
+    // family_case.cc
     Result<Case> MakeCase(std::size_t member, std::size_t scene,
                           const std::vector<Setting>& settings);
     // There is one recipe at most, and it is one.
